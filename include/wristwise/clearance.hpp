@@ -1,0 +1,104 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wristwise/kinematics.hpp"
+#include "wristwise/scene.hpp"
+
+namespace wristwise {
+
+/// The pairs of convex shapes whose distance counts. Immutable, shared by threads.
+class ClearanceModel {
+ public:
+  /// A link or an object with its shapes. Poses are in the frame of `joint` (base for -1).
+  struct Body {
+    std::string name;
+    int joint = -1;
+    std::vector<Shape> shapes;
+  };
+  struct Pair {
+    int body_a = 0, shape_a = 0;
+    int body_b = 0, shape_b = 0;
+  };
+  using Names = std::pair<std::string, std::string>;
+
+  /// Pairs fixed to each other, joined by one joint, disabled, or outside the scope are left out.
+  /// With scene.find_permanent_contacts so are pairs of bodies that are nearer than scene.clearance
+  /// in each of a fixed set of random postures (unless listed by CollisionScope::pairs); they are
+  /// then named by permanent_contacts().
+  /// @throws InvalidInput where a name is unknown or given twice, or the clearance is not finite.
+  ClearanceModel(std::shared_ptr<const Robot> robot, const Scene& scene);
+
+  const Robot& robot() const { return *robot_; }
+  const std::vector<Body>& bodies() const { return bodies_; }
+  const std::vector<Pair>& pairs() const { return pairs_; }
+  const std::vector<Names>& permanent_contacts() const { return permanent_contacts_; }
+  double clearance() const { return clearance_; }  ///< required, m
+  Names names(int pair) const;
+
+  /// Bound on how fast the distance of a pair changes: |d(q + dq) - d(q)| <= sum_j r_j |dq_j| for
+  /// every q inside the limits (F9). m per rad, or m per m.
+  const JointVector& motion_radius(int pair) const {
+    return motion_radius_[static_cast<std::size_t>(pair)];
+  }
+
+ private:
+  std::shared_ptr<const Robot> robot_;
+  std::vector<Body> bodies_;
+  std::vector<Pair> pairs_;
+  std::vector<JointVector> motion_radius_;
+  std::vector<Names> permanent_contacts_;
+  double clearance_ = 0;
+};
+
+/// Signed distance of a pair at one posture.
+struct PairDistance {
+  int pair = -1;
+  double distance = 0;      ///< m; negative: depth of penetration
+  Eigen::Vector3d point_a;  ///< on shape a, base frame, m
+  Eigen::Vector3d point_b;  ///< on shape b; point_b - point_a = distance * normal
+  Eigen::Vector3d normal;   ///< unit; moving shape b along +normal increases the distance
+};
+
+/// Measures the pairs of a model at a posture. It caches: one per thread, cheap to make.
+class ClearanceChecker {
+ public:
+  explicit ClearanceChecker(std::shared_ptr<const ClearanceModel> model);
+  ~ClearanceChecker();
+  ClearanceChecker(ClearanceChecker&&) noexcept;
+  ClearanceChecker& operator=(ClearanceChecker&&) noexcept;
+
+  const ClearanceModel& model() const;
+
+  void set_posture(const JointVector& q);
+  const ChainPose& chain() const;
+
+  /// A lower bound (m) on the distance of the pair from bounding volumes; cheap.
+  double lower_bound(int pair) const;
+
+  /// The signed distance; exact to 1e-6 m, in penetration too.
+  PairDistance distance(int pair);
+
+  /// d distance / d q, m per rad or m per m (F8).
+  JointVector gradient(const PairDistance& measured) const;
+
+  /// The first pair, in the order of the model, with a distance below `required`.
+  std::optional<PairDistance> first_below(double required);
+
+  /// The pair with the least distance, exact where that is below `cutoff`; nullopt where there is
+  /// none below it.
+  std::optional<PairDistance> nearest(double cutoff = 1e9);
+
+  /// Exact distance queries made since construction.
+  std::size_t queries() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace wristwise

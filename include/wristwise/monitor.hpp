@@ -1,0 +1,28 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+namespace wristwise {
+
+enum class LogLevel { info, warning };
+
+/// How the caller watches and stops a run. Every member may be left empty. The callbacks are called
+/// from the calling thread only.
+struct Monitor {
+  /// Stage ("sampling", "search", "refine", "verify") and the fraction of it that is done, 0 to 1.
+  std::function<void(const std::string& stage, double fraction)> progress;
+  std::function<void(LogLevel level, const std::string& line)> log;
+  const std::atomic<bool>* cancel = nullptr;  ///< set it to stop at the next chance
+
+  bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
+  void report(const std::string& stage, double fraction) const {
+    if (progress) progress(stage, fraction);
+  }
+  void write(LogLevel level, const std::string& line) const {
+    if (log) log(level, line);
+  }
+};
+
+}  // namespace wristwise

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wristwise/monitor.hpp"
+#include "wristwise/problem.hpp"
+#include "wristwise/trajectory.hpp"
+#include "wristwise/verification.hpp"
+
+namespace wristwise {
+
+enum class Mode { two_stage, graph_only, smooth };
+enum class Status {
+  solved,       ///< and the independent check passed
+  infeasible,   ///< no trajectory meets the problem; see the diagnosis
+  failed,       ///< something was found, but it does not pass the check
+  interrupted,  ///< cancelled by the caller
+};
+
+struct PlanOptions {
+  int threads = 0;  ///< 0: one per core. The result does not depend on it.
+  Monitor monitor;
+  VerificationOptions verification;
+};
+
+/// Why there is no trajectory, or what is wrong with the one there is.
+struct Diagnosis {
+  std::optional<std::size_t> waypoint;  ///< the first that fails
+  std::string reason;      ///< out_of_reach, joint_limit, collision, no_edge, tolerance, ...
+  std::string detail;      ///< one sentence
+  std::string suggestion;  ///< what would help
+};
+
+struct GraphStatistics {
+  std::size_t vertices = 0;
+  double edges = 0;                  ///< of the whole graph
+  double edges_evaluated = 0;        ///< looked at
+  std::size_t collision_checks = 0;  ///< exact distance queries
+  std::size_t edges_checked = 0;     ///< swept
+  double cost = 0;
+  double joint_motion_l1 = 0;  ///< rad and m
+};
+
+struct CostTerm {
+  std::string name;
+  double initial = 0, final = 0;  ///< integral over time, weighted
+};
+
+struct RefineStatistics {
+  bool run = false;
+  int rounds = 0;
+  int iterations = 0;
+  int evaluations = 0;
+  int control_points = 0;
+  int constraint_points = 0;
+  std::string termination;
+  double objective = 0;      ///< integral over time (F20)
+  double max_violation = 0;  ///< of the constraints at their points
+  std::vector<CostTerm> terms;
+};
+
+struct Timing {  ///< s
+  double load = 0, sampling = 0, search = 0, refine = 0, verify = 0, total = 0;
+};
+
+struct PlanResult {
+  Status status = Status::failed;
+  Mode mode = Mode::two_stage;
+  JointPath path;         ///< at the waypoints; may be partial where there is no solution
+  Trajectory trajectory;  ///< the curve; empty in graph-only mode
+  GraphStatistics graph;
+  RefineStatistics refine;
+  Verification verification;
+  std::vector<Diagnosis> diagnosis;
+  std::vector<std::string> warnings;
+  std::vector<ClearanceModel::Names> permanent_contacts;  ///< pairs left out of the check
+  std::string inverse_kinematics;                         ///< what was recognised
+  Timing timing;
+};
+
+/// Both stages: ladder graph, refinement, verification.
+PlanResult plan(const Problem& problem, const PlanOptions& options = {});
+
+/// Stage 1 alone, verified: what a Descartes-style planner gives.
+PlanResult plan_graph_only(const Problem& problem, const PlanOptions& options = {});
+
+/// Stage 2 alone on an existing joint path, whose times become the waypoints.
+/// @throws InvalidInput where the path does not fit the robot or the seam.
+PlanResult smooth(const Problem& problem, const JointPath& path, const PlanOptions& options = {});
+
+/// The independent check of any trajectory; no planning.
+Verification check(const Problem& problem, const JointPath& path, const PlanOptions& options = {});
+Verification check(const Problem& problem, const Trajectory& trajectory,
+                   const PlanOptions& options = {});
+
+}  // namespace wristwise

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "wristwise/options.hpp"
+#include "wristwise/robot.hpp"
+#include "wristwise/scene.hpp"
+#include "wristwise/seam.hpp"
+
+namespace wristwise {
+
+/// Everything that a problem file says.
+struct Problem {
+  std::string name;
+  std::shared_ptr<const Robot> robot;
+  Scene scene;
+  Task task;
+  CostOptions cost;
+  GraphOptions graph;
+  RefineOptions refine;
+  double controller_period = 0.004;  ///< s, spacing of trajectory_dense.csv
+};
+
+/// Reads a problem file (docs/problem-file.md). Paths in it are relative to the file.
+/// @throws InvalidInput with file, key and what was expected.
+Problem load_problem(const std::filesystem::path& file);
+
+}  // namespace wristwise

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wristwise/geometry.hpp"
+#include "wristwise/joints.hpp"
+#include "wristwise/pose.hpp"
+
+namespace wristwise {
+
+enum class JointType { revolute, continuous, prismatic };
+
+struct Joint {
+  std::string name;
+  JointType type = JointType::revolute;
+  Pose origin = Pose::Identity();                   ///< at zero, in the previous joint's frame
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector in the joint's own frame
+  double lower = 0;                                 ///< rad or m; -infinity if continuous
+  double upper = 0;                                 ///< rad or m; +infinity if continuous
+  double max_velocity = 0;      ///< rad/s or m/s; infinity where unknown (only for `info`)
+  double max_acceleration = 0;  ///< rad/s^2 or m/s^2; infinity where the limits file gives none
+  double max_jerk = 0;          ///< rad/s^3 or m/s^3; infinity where the limits file gives none
+};
+
+/// A link that carries collision shapes, fixed to the frame of the movable joint that moves it.
+struct Link {
+  std::string name;
+  int joint = -1;                ///< index into joints; -1: fixed to the base
+  Pose pose = Pose::Identity();  ///< of the link, in that joint's frame (base frame for -1)
+  std::vector<Shape> collision;  ///< poses in the link frame; may be empty
+};
+
+/// A serial chain with its limits and collision geometry. An immutable value.
+class Robot {
+ public:
+  struct Parts {
+    std::string name;
+    std::string base_link;
+    std::string tip_link;
+    std::vector<Joint> joints;
+    std::vector<Link> links;
+    Pose tcp = Pose::Identity();  ///< of the TCP, in the last joint's frame
+    /// Indices into links of the pairs that a joint connects directly.
+    std::vector<std::pair<int, int>> adjacent_links;
+    std::vector<std::string> warnings;  ///< what the reader of the description should know
+  };
+
+  /// @throws InvalidInput for no joints, more than kMaxJoints, NaN, zero axes or inverted limits.
+  explicit Robot(Parts parts);
+
+  int joint_count() const { return static_cast<int>(parts_.joints.size()); }
+  const std::string& name() const { return parts_.name; }
+  const std::string& base_link() const { return parts_.base_link; }
+  const std::string& tip_link() const { return parts_.tip_link; }
+  const std::vector<Joint>& joints() const { return parts_.joints; }
+  const std::vector<Link>& links() const { return parts_.links; }
+  const Pose& tcp() const { return parts_.tcp; }
+  const std::vector<std::pair<int, int>>& adjacent_links() const { return parts_.adjacent_links; }
+  const std::vector<std::string>& warnings() const { return parts_.warnings; }
+
+  JointVector lower_limits() const;
+  JointVector upper_limits() const;
+  JointVector velocity_limits() const;
+  JointVector acceleration_limits() const;
+  JointVector jerk_limits() const;
+
+ private:
+  Parts parts_;
+};
+
+}  // namespace wristwise

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wristwise/geometry.hpp"
+
+namespace wristwise {
+
+struct SceneObject {
+  std::string name;
+  std::vector<Shape> shapes;  ///< poses in the base frame of the robot
+};
+
+enum class CollisionScope {
+  all,    ///< robot against objects and against itself
+  off,    ///< no distance is measured
+  pairs,  ///< only the pairs listed
+};
+
+/// What the robot must keep clear of. An immutable value.
+struct Scene {
+  using Names = std::pair<std::string, std::string>;
+
+  std::vector<SceneObject> objects;
+  CollisionScope scope = CollisionScope::all;
+  std::vector<Names> pairs;     ///< of links or objects; used with CollisionScope::pairs
+  std::vector<Names> disabled;  ///< never measured (SRDF's disable_collisions)
+  /// Find the pairs that are in contact at every sampled posture, and leave them out by name.
+  bool find_permanent_contacts = true;
+  double clearance = 0;  ///< m, the least signed distance that is accepted
+};
+
+}  // namespace wristwise

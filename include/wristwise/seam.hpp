@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "wristwise/joints.hpp"
+#include "wristwise/pose.hpp"
+#include "wristwise/tolerance.hpp"
+
+namespace wristwise {
+
+/// One piece of the nominal TCP path, run in a given time.
+struct SeamPiece {
+  enum class Kind {
+    line,  ///< straight, turning at a constant rate about one axis
+    arc,   ///< the first pose turned rigidly about an axis
+    move,  ///< to or from a joint waypoint: no path is prescribed between its ends
+  };
+  Kind kind = Kind::line;
+  Pose from = Pose::Identity();
+  Pose to = Pose::Identity();
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< arc: a point on its axis, base frame, m
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< arc: unit, base frame
+  double angle = 0;                                  ///< arc: rad, right-handed
+  double start_time = 0;                             ///< s
+  double end_time = 0;                               ///< s
+
+  double length() const;                 ///< m, of the TCP's path
+  Pose frame_at(double fraction) const;  ///< fraction of the piece in [0, 1]
+};
+
+/// The nominal TCP path over time, in the base frame.
+class Seam {
+ public:
+  Seam() = default;
+  /// Pieces in order, each starting when the one before it ends.
+  /// @throws InvalidInput for no pieces, gaps in time or values that are not finite.
+  explicit Seam(std::vector<SeamPiece> pieces);
+
+  const std::vector<SeamPiece>& pieces() const { return pieces_; }
+  double start_time() const;
+  double end_time() const;
+  double length() const;  ///< m
+
+  /// The piece that is run at time t; at a corner the piece that ends there.
+  const SeamPiece& piece_at(double t) const;
+  Pose frame_at(double t) const;
+
+ private:
+  std::vector<SeamPiece> pieces_;
+};
+
+/// A point of the seam that the planner must pass.
+struct Waypoint {
+  double time = 0;                    ///< s
+  Pose frame = Pose::Identity();      ///< path frame, in base
+  ToleranceBox tolerance;             ///< also for the stretch that ends here
+  std::optional<JointVector> joints;  ///< given: this posture exactly, frame and tolerance unused
+};
+
+/// What is to be done: the seam, its waypoints and what is allowed between them.
+struct Task {
+  Seam seam;
+  std::vector<Waypoint> waypoints;
+  double between_position = 1e-4;                     ///< m, added to the box between waypoints
+  double between_angle = 0.1 * 0.017453292519943295;  ///< rad, added to the box between waypoints
+
+  /// The same seam with waypoints at other times (s), for the repair of a joint path.
+  /// @throws InvalidInput where times do not increase or leave the seam by more than 1e-6 s.
+  Task with_waypoints_at(const std::vector<double>& times) const;
+
+  /// The box, not widened yet, that holds between waypoints `interval` and `interval` + 1; nullopt
+  /// where no path is prescribed (a move to or from a joint waypoint).
+  std::optional<ToleranceBox> tolerance_between(std::size_t interval) const;
+};
+
+}  // namespace wristwise

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wristwise/joints.hpp"
+
+namespace wristwise {
+
+/// Joint positions at given times: taken as joined by straight joint-space moves.
+struct JointPath {
+  std::vector<double> times;           ///< s, strictly increasing
+  std::vector<JointVector> positions;  ///< rad or m
+
+  std::size_t size() const { return times.size(); }
+};
+
+/// @throws InvalidInput where the path has fewer than two points, times that do not increase, or
+/// positions that are not finite or not of `joints` values. `where` names the input.
+void validate(const JointPath& path, int joints, const std::string& where);
+
+/// A piecewise quintic through positions, velocities and accelerations at given times.
+/// Twice continuously differentiable; the jerk may jump at the times.
+class Trajectory {
+ public:
+  Trajectory() = default;
+  /// @throws InvalidInput for fewer than two times, times that do not increase, sizes that differ
+  /// or values that are not finite.
+  Trajectory(std::vector<double> times, std::vector<JointVector> positions,
+             std::vector<JointVector> velocities, std::vector<JointVector> accelerations);
+
+  bool empty() const { return times_.empty(); }
+  const std::vector<double>& times() const { return times_; }
+  const std::vector<JointVector>& positions() const { return positions_; }
+  const std::vector<JointVector>& velocities() const { return velocities_; }
+  const std::vector<JointVector>& accelerations() const { return accelerations_; }
+  JointPath waypoints() const { return {times_, positions_}; }
+
+  /// The derivative of the given order (0 to 5) at time t, held at the ends outside.
+  JointVector evaluate(double t, int derivative = 0) const;
+
+  /// For each joint, the least and the largest value of q^(k), k = 0 to 3, over the piece
+  /// [times[i], times[i+1]]: exact, from the roots of the next derivative (F11).
+  void extremes(std::size_t piece, int derivative, JointVector& least, JointVector& largest) const;
+
+  /// For each joint, a bound on |q(t) - q((t0 + t1) / 2)| for t in [t0, t1], inside one piece.
+  JointVector spread(std::size_t piece, double t0, double t1) const;
+
+ private:
+  std::size_t piece_at(double t) const;
+  /// Columns: coefficients of u^0 .. u^5, u = (t - times[i]) / (times[i+1] - times[i]).
+  using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, kMaxJoints, 6>;
+  std::vector<double> times_;
+  std::vector<JointVector> positions_, velocities_, accelerations_;
+  std::vector<Coefficients> pieces_;
+};
+
+/// Divided differences of order k (1, 2, 3) over uneven times: k! [q_i, ..., q_{i+k}], size - k of
+/// them: an estimate of the k-th derivative (F12).
+std::vector<JointVector> divided_differences(const JointPath& path, int order);
+
+}  // namespace wristwise

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wristwise/robot.hpp"
+
+namespace wristwise {
+
+struct RobotSource {
+  std::filesystem::path urdf;
+  std::string base_link;         ///< empty: the root of the tree
+  std::string tip_link;          ///< empty: the leaf with the longest chain of movable joints
+  Pose tool = Pose::Identity();  ///< TCP in tip_link
+  std::filesystem::path limits;  ///< MoveIt's joint_limits.yaml; empty: what the URDF says
+  std::vector<std::filesystem::path> packages;  ///< folders searched for package://, before
+                                                ///< ROS_PACKAGE_PATH
+  bool require_velocity_limits = true;          ///< false for a first look at a description
+};
+
+/// Reads a serial chain from a URDF. Links off the chain are held at joint zero and carried along.
+/// @throws InvalidInput: missing or malformed file, no such link or chain, a joint without limits,
+/// a joint type other than revolute, continuous, prismatic or fixed on the chain, a mesh that
+/// cannot be read.
+Robot load_robot(const RobotSource& source);
+
+using LinkNames = std::pair<std::string, std::string>;
+
+/// The pairs of links that an SRDF's disable_collisions elements name.
+std::vector<LinkNames> load_disabled_collisions(const std::filesystem::path& srdf);
+
+}  // namespace wristwise

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wristwise/clearance.hpp"
+#include "wristwise/seam.hpp"
+#include "wristwise/trajectory.hpp"
+
+namespace wristwise {
+
+/// What "passed" means, in numbers.
+struct VerificationOptions {
+  double position_tolerance = 1e-6;     ///< m, beyond the box at waypoints
+  double angle_tolerance = 1e-6;        ///< rad, beyond the box at waypoints
+  double joint_limit_tolerance = 1e-9;  ///< rad or m
+  double clearance_tolerance = 1e-6;    ///< m, at sampled postures
+  double clearance_epsilon = 5e-5;      ///< m, of the claim for all t
+  int samples_per_interval = 10;        ///< of the deviation between waypoints; at least 10
+};
+
+/// The outcome of the independent check. Starts as "not run".
+struct Verification {
+  bool run = false;
+  bool passed = false;
+  bool curve = false;         ///< checked as a curve; else as points joined by straight moves
+  double position_error = 0;  ///< m, largest distance from the nominal TCP at waypoints, the
+                              ///< tolerance box's own width taken off
+  Vector6 tolerance_excess = Vector6::Zero();          ///< m, rad beyond the box at waypoints
+  Vector6 tolerance_excess_between = Vector6::Zero();  ///< beyond the box widened by `between`
+  double joint_limit_excess = 0;                       ///< rad or m
+  std::optional<double> clearance;        ///< m, least sampled; nullopt where no pair counts
+  std::optional<double> clearance_bound;  ///< m, shown for all t; nullopt where it is not shown
+  ClearanceModel::Names clearance_pair;
+  double clearance_time = 0;  ///< s
+  double velocity_ratio = 0;  ///< largest |q'| / limit; > 1 is a failure
+  double acceleration_ratio = 0;
+  double jerk_ratio = 0;
+  int velocity_joint = -1, acceleration_joint = -1,
+      jerk_joint = -1;  ///< where the ratio is largest
+  double velocity_time = 0;
+  std::size_t samples = 0;
+  std::vector<std::string> failures;  ///< one line each: what, where, by how much
+  std::vector<std::string> warnings;  ///< reported, but no reason to fail
+};
+
+/// Checks points joined by straight joint-space moves.
+Verification verify(const Task& task, std::shared_ptr<const ClearanceModel> clearance,
+                    const JointPath& path, const VerificationOptions& options = {});
+
+/// Checks a curve, at waypoints and between them.
+Verification verify(const Task& task, std::shared_ptr<const ClearanceModel> clearance,
+                    const Trajectory& trajectory, const VerificationOptions& options = {});
+
+}  // namespace wristwise

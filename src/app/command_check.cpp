@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/console.hpp"
+#include "app/exit_code.hpp"
+#include "app/interrupt.hpp"
+#include "app/joint_names.hpp"
+#include "app/verification_table.hpp"
+#include "io/result_file.hpp"
+#include "wristwise/trajectory_file.hpp"
+
+namespace wristwise::app {
+
+int run_check(const CheckCommand& command, const Settings& settings) {
+  const Problem problem = load_problem(command.problem);
+  const TrajectoryFile file = read_trajectory(command.trajectory, joint_names(*problem.robot));
+  Verification verification;
+  {
+    Console console(settings);
+    const PlanOptions options = console.plan_options(problem);
+    verification = file.trajectory ? check(problem, *file.trajectory, options)
+                                   : check(problem, file.path, options);
+  }
+  if (interrupted()) return kInterrupted;
+  fmt::print("{}", command.json ? verification_json(verification, problem)
+                                : verification_table(verification, problem));
+  return verification.passed ? kSolved : kNotSolved;
+}
+
+}  // namespace wristwise::app

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "app/exit_code.hpp"
+#include "app/text_table.hpp"
+#include "wristwise/inverse_kinematics.hpp"
+#include "wristwise/urdf.hpp"
+
+namespace wristwise::app {
+
+namespace {
+
+const char* type_name(JointType type) {
+  switch (type) {
+    case JointType::revolute:
+      return "revolute";
+    case JointType::continuous:
+      return "continuous";
+    case JointType::prismatic:
+      break;
+  }
+  return "prismatic";
+}
+
+std::string limit_text(double value) { return std::isfinite(value) ? short_number(value) : "-"; }
+
+std::string joint_table(const Robot& robot) {
+  std::vector<TableRow> rows = {
+      {"joint", "type", "unit", "lower", "upper", "velocity", "acceleration", "jerk"}};
+  for (const Joint& joint : robot.joints())
+    rows.push_back({joint.name, type_name(joint.type),
+                    joint.type == JointType::prismatic ? "m" : "rad", limit_text(joint.lower),
+                    limit_text(joint.upper), limit_text(joint.max_velocity),
+                    limit_text(joint.max_acceleration), limit_text(joint.max_jerk)});
+  return aligned(rows);
+}
+
+std::string body_table(const Robot& robot) {
+  std::vector<TableRow> rows = {{"link", "moved by", "collision shapes"}};
+  for (const Link& link : robot.links())
+    rows.push_back(
+        {link.name,
+         link.joint < 0 ? "-" : robot.joints()[static_cast<std::size_t>(link.joint)].name,
+         fmt::format("{}", link.collision.size())});
+  return aligned(rows);
+}
+
+}  // namespace
+
+int run_info(const InfoCommand& command) {
+  RobotSource source;
+  source.urdf = command.urdf;
+  source.base_link = command.base_link;
+  source.tip_link = command.tip_link;
+  source.limits = command.limits;
+  source.require_velocity_limits = false;
+  const auto robot = std::make_shared<const Robot>(load_robot(source));
+  const InverseKinematicsFound found = find_inverse_kinematics(robot);
+  fmt::print("{}: {} to {}, {} joints\n{}inverse kinematics: {}\nbodies\n{}", robot->name(),
+             robot->base_link(), robot->tip_link(), robot->joint_count(), joint_table(*robot),
+             found.description, body_table(*robot));
+  for (const std::string& warning : robot->warnings()) fmt::print("warning: {}\n", warning);
+  return kSolved;
+}
+
+}  // namespace wristwise::app

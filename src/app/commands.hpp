@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/settings.hpp"
+#include "wristwise/plan.hpp"
+
+// The commands of the program. Each returns the exit status and throws InvalidInput.
+namespace wristwise::app {
+
+struct PlanCommand {
+  std::filesystem::path problem;
+  std::string mode = "two-stage";
+  std::filesystem::path out;  ///< empty: out/<problem>
+};
+int run_plan(const PlanCommand& command, const Settings& settings);
+
+struct SmoothCommand {
+  std::filesystem::path problem;
+  std::filesystem::path joints;
+  std::filesystem::path out;
+};
+int run_smooth(const SmoothCommand& command, const Settings& settings);
+
+struct CheckCommand {
+  std::filesystem::path problem;
+  std::filesystem::path trajectory;
+  bool json = false;
+};
+int run_check(const CheckCommand& command, const Settings& settings);
+
+struct CompareCommand {
+  std::filesystem::path problem;
+  std::filesystem::path out;
+};
+int run_compare(const CompareCommand& command, const Settings& settings);
+
+struct InfoCommand {
+  std::filesystem::path urdf;
+  std::string base_link, tip_link;
+  std::filesystem::path limits;
+};
+int run_info(const InfoCommand& command);
+
+}  // namespace wristwise::app

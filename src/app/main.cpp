@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+
+#include "app/commands.hpp"
+#include "app/exit_code.hpp"
+#include "app/interrupt.hpp"
+#include "kinematics/similar_names.hpp"
+#include "wristwise/error.hpp"
+
+namespace wristwise::app {
+
+namespace {
+
+constexpr int kMostThreads = 1024;
+
+void print_error(std::string message) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  fmt::print(stderr, "wristwise: {}\n", message);
+}
+
+CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& purpose) {
+  CLI::App& command = *program.add_subcommand(name, purpose);
+  command.footer("--quiet and --threads N go with every command.");
+  return command;
+}
+
+/// The command line: what is asked for, and the function that does it.
+class CommandLine {
+ public:
+  CommandLine() {
+    program_.require_subcommand(1);
+    program_.fallthrough();
+    program_.add_flag("--quiet", settings_.quiet, "No progress and no log lines");
+    program_.add_option("--threads", settings_.threads, "Threads; 0, the default: one per core")
+        ->check(CLI::Range(0, kMostThreads));
+    add_plan();
+    add_smooth();
+    add_check();
+    add_compare();
+    add_info();
+  }
+
+  int run(int argc, char** argv) {
+    check_command_name(argc, argv);
+    try {
+      program_.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      if (error.get_exit_code() == 0) return program_.exit(error);
+      throw InvalidInput("command line", error.what());
+    }
+    return action_();
+  }
+
+ private:
+  void check_command_name(int argc, char** argv) const {
+    if (argc < 2 || argv[1][0] == '-') return;
+    const std::string given = argv[1];
+    std::vector<std::string> names;
+    for (const CLI::App* command : program_.get_subcommands({}))
+      names.push_back(command->get_name());
+    if (std::find(names.begin(), names.end(), given) == names.end())
+      throw InvalidInput("command line", "unknown command '" + given + "'",
+                         "a command such as " + similar_names(given, names, 1));
+  }
+
+  void add_out(CLI::App& command, std::filesystem::path& out) {
+    command.add_option("--out", out, "Folder for the results; default: out/<problem>");
+  }
+
+  void add_problem(CLI::App& command, std::filesystem::path& problem) {
+    command.add_option("PROBLEM", problem, "Problem file (YAML)")->required();
+  }
+
+  void add_plan() {
+    CLI::App& command = add_command(program_, "plan", "Plan a seam");
+    add_problem(command, plan_.problem);
+    command.add_option("--mode", plan_.mode, "two-stage (default) or graph-only")
+        ->check(CLI::IsMember({"two-stage", "graph-only"}));
+    add_out(command, plan_.out);
+    command.callback([this] { action_ = [this] { return run_plan(plan_, settings_); }; });
+  }
+
+  void add_smooth() {
+    CLI::App& command = add_command(program_, "smooth", "Repair an existing joint path");
+    add_problem(command, smooth_.problem);
+    command.add_option("--joints", smooth_.joints, "Joint path (CSV); its rows are the waypoints")
+        ->required();
+    add_out(command, smooth_.out);
+    command.callback([this] { action_ = [this] { return run_smooth(smooth_, settings_); }; });
+  }
+
+  void add_check() {
+    CLI::App& command = add_command(program_, "check", "Check any trajectory independently");
+    add_problem(command, check_.problem);
+    command.add_option("TRAJECTORY", check_.trajectory, "Trajectory (CSV)")->required();
+    command.add_flag("--json", check_.json, "Print the verification as JSON");
+    command.callback([this] { action_ = [this] { return run_check(check_, settings_); }; });
+  }
+
+  void add_compare() {
+    CLI::App& command = add_command(program_, "compare", "Graph-only beside two-stage");
+    add_problem(command, compare_.problem);
+    add_out(command, compare_.out);
+    command.callback([this] { action_ = [this] { return run_compare(compare_, settings_); }; });
+  }
+
+  void add_info() {
+    CLI::App& command = add_command(program_, "info", "Look at a robot description");
+    command.add_option("ROBOT", info_.urdf, "Robot description (URDF)")->required();
+    command.add_option("--base", info_.base_link, "Base link; default: the root");
+    command.add_option("--tip", info_.tip_link, "Tip link; default: of the longest chain");
+    command.add_option("--limits", info_.limits, "Joint limits (YAML)");
+    command.callback([this] { action_ = [this] { return run_info(info_); }; });
+  }
+
+  CLI::App program_{"Plans smooth, collision-free joint trajectories for arc-welding robots",
+                    "wristwise"};
+  Settings settings_;
+  PlanCommand plan_;
+  SmoothCommand smooth_;
+  CheckCommand check_;
+  CompareCommand compare_;
+  InfoCommand info_;
+  std::function<int()> action_;
+};
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  catch_interrupts();
+  try {
+    return CommandLine().run(argc, argv);
+  } catch (const InvalidInput& error) {
+    print_error(error.what());
+    return kInvalidInput;
+  } catch (const std::exception& error) {
+    print_error(std::string("internal error: ") + error.what());
+    return kInternalError;
+  } catch (...) {
+    print_error("internal error");
+    return kInternalError;
+  }
+}
+
+}  // namespace wristwise::app
+
+int main(int argc, char** argv) { return wristwise::app::run(argc, argv); }

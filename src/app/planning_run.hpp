@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "app/settings.hpp"
+#include "wristwise/plan.hpp"
+
+namespace wristwise::app {
+
+using Planner = std::function<PlanResult(const Problem&, const PlanOptions&)>;
+
+struct PlanningRun {
+  Problem problem;  ///< empty where reading it failed
+  PlanResult result;
+  int exit_code;
+};
+
+/// Reads the problem and runs the planner on it. An internal error becomes a failed result that
+/// says so. @throws InvalidInput
+PlanningRun run_planner(const std::filesystem::path& problem, Mode mode, const Planner& planner,
+                        const Settings& settings);
+
+}  // namespace wristwise::app

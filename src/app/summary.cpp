@@ -1,0 +1,102 @@
+#include "app/summary.hpp"
+
+#include <fmt/format.h>
+
+#include "app/text_table.hpp"
+#include "app/verification_table.hpp"
+#include "io/peaks.hpp"
+#include "io/result_file.hpp"
+
+namespace wristwise::app {
+
+namespace {
+
+std::string headline(const PlanResult& result, const Problem& problem) {
+  const Seam& seam = problem.task.seam;
+  return fmt::format(
+      "{}: {} ({}, {} waypoints, {} m in {} s)\n", problem.name.empty() ? "problem" : problem.name,
+      status_name(result.status), mode_name(result.mode), problem.task.waypoints.size(),
+      short_number(seam.length()), short_number(seam.end_time() - seam.start_time()));
+}
+
+std::string diagnosis_lines(const PlanResult& result) {
+  std::string text;
+  for (const Diagnosis& entry : result.diagnosis) {
+    text += "  " + entry.reason;
+    if (entry.waypoint) text += fmt::format(" at waypoint {}", *entry.waypoint);
+    text += ": " + entry.detail + "\n";
+    if (!entry.suggestion.empty()) text += "    " + entry.suggestion + "\n";
+  }
+  return text;
+}
+
+std::string graph_lines(const PlanResult& result) {
+  const GraphStatistics& graph = result.graph;
+  if (graph.vertices == 0) return {};
+  return "graph\n" + aligned({{"vertices", fmt::format("{}", graph.vertices)},
+                              {"edges", short_number(graph.edges)},
+                              {"edges evaluated", short_number(graph.edges_evaluated)},
+                              {"collision checks", fmt::format("{}", graph.collision_checks)},
+                              {"cost", short_number(graph.cost)},
+                              {"joint motion (L1)", short_number(graph.joint_motion_l1)}});
+}
+
+std::string refine_lines(const PlanResult& result) {
+  const RefineStatistics& refine = result.refine;
+  if (!refine.run) return {};
+  std::string text =
+      fmt::format("refinement: {} iterations in {} rounds, {} control points, {}\n",
+                  refine.iterations, refine.rounds, refine.control_points, refine.termination);
+  std::vector<TableRow> rows = {{"integral of", "before", "after"}};
+  double before = 0;
+  for (const CostTerm& term : refine.terms) {
+    rows.push_back({term.name, short_number(term.initial), short_number(term.final)});
+    before += term.initial;
+  }
+  rows.push_back({"sum", short_number(before), short_number(refine.objective)});
+  return text + aligned(rows);
+}
+
+std::string peak_lines(const PlanResult& result, const Problem& problem) {
+  if (!problem.robot || result.path.size() < 2) return {};
+  std::vector<TableRow> rows = {{"peaks of", "velocity", "acceleration", "jerk"}};
+  for (int j = 0; j < problem.robot->joint_count(); ++j) {
+    TableRow row = {problem.robot->joints()[static_cast<std::size_t>(j)].name};
+    for (int order = 1; order <= 3; ++order) {
+      const auto peak = peak_derivative(result.path, order);
+      row.push_back(peak ? short_number((*peak)[j]) : "-");
+    }
+    rows.push_back(std::move(row));
+  }
+  return aligned(rows, 0);
+}
+
+std::string note_lines(const PlanResult& result) {
+  std::string text;
+  for (const auto& [first, second] : result.permanent_contacts)
+    text += fmt::format("left out, in contact at every posture: {} - {}\n", first, second);
+  for (const std::string& warning : result.warnings) text += "warning: " + warning + "\n";
+  return text;
+}
+
+std::string timing_line(const Timing& timing) {
+  return fmt::format(
+      "time: load {:.2f} s, sampling {:.2f} s, search {:.2f} s, refine {:.2f} s, verify {:.2f} s, "
+      "total {:.2f} s\n",
+      timing.load, timing.sampling, timing.search, timing.refine, timing.verify, timing.total);
+}
+
+}  // namespace
+
+std::string summary(const PlanResult& result, const Problem& problem,
+                    const std::filesystem::path& folder) {
+  std::string text = headline(result, problem) + diagnosis_lines(result);
+  if (!result.inverse_kinematics.empty())
+    text += "inverse kinematics: " + result.inverse_kinematics + "\n";
+  text += graph_lines(result) + refine_lines(result) + peak_lines(result, problem);
+  if (result.verification.run) text += verification_table(result.verification, problem);
+  text += note_lines(result) + timing_line(result.timing);
+  return text + "written to " + folder.string() + "\n";
+}
+
+}  // namespace wristwise::app

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "wristwise/tolerance.hpp"
+
+namespace wristwise {
+
+/// The samples of one coordinate (design: sampling grid). Bounded [lower, upper] with step s:
+/// ceil((upper - lower) / s) equal intervals, both ends included, and 0 where it lies inside and is
+/// not on the grid. Free (infinite bounds): n = ceil(2 pi / s) samples -pi + k 2 pi / n.
+/// @param step > 0, or 0 for the default of GraphOptions::step
+std::vector<double> coordinate_samples(double lower, double upper, double step);
+
+/// The product of the samples of all coordinates, the last coordinate running fastest.
+std::vector<Vector6> sampling_grid(const ToleranceBox& box, const Vector6& step);
+
+}  // namespace wristwise

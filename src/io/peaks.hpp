@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+
+#include "wristwise/trajectory.hpp"
+
+namespace wristwise {
+
+/// For each joint, the largest divided difference of this order (1 velocity, 2 acceleration,
+/// 3 jerk) by its size; nullopt where the path has too few points.
+std::optional<JointVector> peak_derivative(const JointPath& path, int order);
+
+}  // namespace wristwise

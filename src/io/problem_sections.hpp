@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+
+#include "io/config_reader.hpp"
+#include "task/seam_builder.hpp"
+#include "wristwise/options.hpp"
+#include "wristwise/robot.hpp"
+#include "wristwise/scene.hpp"
+
+// The sections of a problem file (docs/problem-file.md). Each throws InvalidInput with file, line
+// and key.
+namespace wristwise {
+
+/// Folders that are searched for package://, before ROS_PACKAGE_PATH.
+using Packages = std::vector<std::filesystem::path>;
+
+/// A file that exists, relative to the problem file or package://.
+std::filesystem::path find_file(const ConfigReader& reader, const Packages& packages);
+
+/// Keys xyz and rpy, each optional unless `xyz_required`.
+Pose read_pose(const ConfigReader& reader, bool xyz_required = false);
+Eigen::Vector3d read_rpy(const ConfigReader& reader);
+
+struct RobotSection {
+  std::shared_ptr<const Robot> robot;
+  Packages packages;
+  std::optional<std::vector<Scene::Names>> disabled;  ///< given where there is an SRDF
+};
+RobotSection read_robot(const ConfigReader& reader);
+
+/// @param reader empty where the file has no scene
+Scene read_scene(const std::optional<ConfigReader>& reader, const Robot& robot,
+                 const Packages& packages);
+
+Task read_task(const ConfigReader& reader, const Robot& robot);
+
+CostOptions read_cost(const ConfigReader& reader, const Robot& robot);
+GraphOptions read_graph(const ConfigReader& reader);
+RefineOptions read_refine(const ConfigReader& reader);
+
+}  // namespace wristwise

@@ -1,0 +1,224 @@
+#include "io/result_file.hpp"
+
+#include <sys/resource.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/peaks.hpp"
+#include "io/text_file.hpp"
+#include "wristwise/trajectory_file.hpp"
+
+namespace wristwise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+Json joint_name(const Problem& problem, int joint) {
+  if (!problem.robot || joint < 0 || joint >= problem.robot->joint_count()) return nullptr;
+  return problem.robot->joints()[static_cast<std::size_t>(joint)].name;
+}
+
+Json names(const ClearanceModel::Names& pair) {
+  if (pair.first.empty() && pair.second.empty()) return nullptr;
+  return Json::array({pair.first, pair.second});
+}
+
+Json coordinates(const Vector6& values) {
+  Json json = Json::object();
+  for (int i = 0; i < 6; ++i)
+    json[kCoordinateNames[static_cast<std::size_t>(i)]] = number(values[i]);
+  return json;
+}
+
+Json peak_rss_bytes() {
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return nullptr;
+  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+}
+
+Json timing(const Timing& timing) {
+  return {{"load", number(timing.load)},     {"sampling", number(timing.sampling)},
+          {"search", number(timing.search)}, {"refine", number(timing.refine)},
+          {"verify", number(timing.verify)}, {"total", number(timing.total)}};
+}
+
+Json graph(const GraphStatistics& graph) {
+  return {{"vertices", graph.vertices},
+          {"edges", number(graph.edges)},
+          {"edges_evaluated", number(graph.edges_evaluated)},
+          {"collision_checks", graph.collision_checks},
+          {"cost", number(graph.cost)},
+          {"joint_motion_l1", number(graph.joint_motion_l1)},
+          {"edges_checked", graph.edges_checked}};
+}
+
+Json refine(const RefineStatistics& refine) {
+  Json terms = Json::array();
+  for (const CostTerm& term : refine.terms)
+    terms.push_back(
+        {{"name", term.name}, {"initial", number(term.initial)}, {"final", number(term.final)}});
+  return {{"iterations", refine.iterations},
+          {"evaluations", refine.evaluations},
+          {"termination", refine.run ? refine.termination : "not run"},
+          {"objective", refine.run ? number(refine.objective) : Json(nullptr)},
+          {"terms", std::move(terms)},
+          {"rounds", refine.rounds},
+          {"control_points", refine.control_points},
+          {"constraint_points", refine.constraint_points},
+          {"max_violation", refine.run ? number(refine.max_violation) : Json(nullptr)}};
+}
+
+Json peaks(const JointPath& path, const Problem& problem) {
+  Json json = Json::object();
+  if (!problem.robot) return json;
+  const std::array<std::optional<JointVector>, 3> peaks = {
+      peak_derivative(path, 1), peak_derivative(path, 2), peak_derivative(path, 3)};
+  for (int j = 0; j < problem.robot->joint_count(); ++j) {
+    const auto of_joint = [j](const std::optional<JointVector>& peak) {
+      return peak ? number((*peak)[j]) : Json(nullptr);
+    };
+    json[problem.robot->joints()[static_cast<std::size_t>(j)].name] = {
+        {"velocity", of_joint(peaks[0])},
+        {"acceleration", of_joint(peaks[1])},
+        {"jerk", of_joint(peaks[2])}};
+  }
+  return json;
+}
+
+Json verification_object(const Verification& verification, const Problem& problem) {
+  const bool run = verification.run;
+  const auto if_run = [run](double value) { return run ? number(value) : Json(nullptr); };
+  return {
+      {"passed", verification.passed},
+      {"position_error_m", if_run(verification.position_error)},
+      {"tolerance_excess", coordinates(verification.tolerance_excess)},
+      {"clearance_m", number(verification.clearance)},
+      {"clearance_pair", names(verification.clearance_pair)},
+      {"clearance_time_s", verification.clearance ? number(verification.clearance_time) : nullptr},
+      {"joint_limit_excess", if_run(verification.joint_limit_excess)},
+      {"velocity_ratio", if_run(verification.velocity_ratio)},
+      {"acceleration_ratio", if_run(verification.acceleration_ratio)},
+      {"jerk_ratio", if_run(verification.jerk_ratio)},
+      {"samples", verification.samples},
+      {"run", run},
+      {"curve", verification.curve},
+      {"tolerance_excess_between", coordinates(verification.tolerance_excess_between)},
+      {"clearance_required_m", problem.scene.scope == CollisionScope::off
+                                   ? Json(nullptr)
+                                   : number(problem.scene.clearance)},
+      {"clearance_bound_m", number(verification.clearance_bound)},
+      {"clearance_epsilon_m", number(problem.refine.clearance_epsilon)},
+      {"velocity_joint", joint_name(problem, verification.velocity_joint)},
+      {"acceleration_joint", joint_name(problem, verification.acceleration_joint)},
+      {"jerk_joint", joint_name(problem, verification.jerk_joint)},
+      {"failures", verification.failures},
+      {"warnings", verification.warnings}};
+}
+
+Json speed_held(const Verification& verification, const Problem& problem) {
+  const bool run = verification.run;
+  return {{"ratio", run ? number(verification.velocity_ratio) : Json(nullptr)},
+          {"worst_time_s", run ? number(verification.velocity_time) : Json(nullptr)},
+          {"worst_joint", joint_name(problem, verification.velocity_joint)}};
+}
+
+Json diagnosis(const std::vector<Diagnosis>& diagnosis) {
+  Json json = Json::array();
+  for (const Diagnosis& entry : diagnosis)
+    json.push_back({{"waypoint", entry.waypoint ? Json(*entry.waypoint) : Json(nullptr)},
+                    {"reason", entry.reason},
+                    {"detail", entry.detail},
+                    {"suggestion", entry.suggestion}});
+  return json;
+}
+
+std::vector<std::string> joint_names(const Problem& problem) {
+  std::vector<std::string> joints;
+  if (!problem.robot) return joints;
+  for (const Joint& joint : problem.robot->joints()) joints.push_back(joint.name);
+  return joints;
+}
+
+std::string printed(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string mode_name(Mode mode) {
+  switch (mode) {
+    case Mode::two_stage:
+      return "two-stage";
+    case Mode::graph_only:
+      return "graph-only";
+    case Mode::smooth:
+      break;
+  }
+  return "smooth";
+}
+
+std::string status_name(Status status) {
+  switch (status) {
+    case Status::solved:
+      return "solved";
+    case Status::infeasible:
+      return "infeasible";
+    case Status::interrupted:
+      return "interrupted";
+    case Status::failed:
+      break;
+  }
+  return "failed";
+}
+
+std::string verification_json(const Verification& verification, const Problem& problem) {
+  return printed(verification_object(verification, problem));
+}
+
+std::string result_json(const PlanResult& result, const Problem& problem) {
+  Json contacts = Json::array();
+  for (const auto& pair : result.permanent_contacts) contacts.push_back(names(pair));
+  const std::size_t waypoints =
+      result.path.size() > 0 ? result.path.size() : problem.task.waypoints.size();
+  return printed({{"status", status_name(result.status)},
+                  {"mode", mode_name(result.mode)},
+                  {"waypoints", waypoints},
+                  {"joints", joint_names(problem)},
+                  {"timing_s", timing(result.timing)},
+                  {"peak_rss_bytes", peak_rss_bytes()},
+                  {"graph", graph(result.graph)},
+                  {"refine", refine(result.refine)},
+                  {"peaks", peaks(result.path, problem)},
+                  {"verification", verification_object(result.verification, problem)},
+                  {"speed_held", speed_held(result.verification, problem)},
+                  {"diagnosis", diagnosis(result.diagnosis)},
+                  {"problem", problem.name},
+                  {"inverse_kinematics", result.inverse_kinematics},
+                  {"permanent_contacts", std::move(contacts)},
+                  {"warnings", result.warnings}});
+}
+
+void write_result(const std::filesystem::path& folder, const PlanResult& result,
+                  const Problem& problem) {
+  const std::filesystem::path points = folder / "trajectory.csv";
+  const std::filesystem::path dense = folder / "trajectory_dense.csv";
+  std::filesystem::create_directories(folder);
+  std::filesystem::remove(points);
+  std::filesystem::remove(dense);
+  if (!result.trajectory.empty()) {
+    write_trajectory(points, joint_names(problem), result.trajectory);
+    write_dense(dense, joint_names(problem), result.trajectory, problem.controller_period);
+  } else if (result.path.size() > 0) {
+    write_path(points, joint_names(problem), result.path);
+  }
+  write_text(folder / "result.json", result_json(result, problem));
+}
+
+}  // namespace wristwise

@@ -1,0 +1,34 @@
+#include "io/problem_sections.hpp"
+#include "kinematics/urdf_collision.hpp"
+#include "wristwise/urdf.hpp"
+
+namespace wristwise {
+
+std::filesystem::path find_file(const ConfigReader& reader, const Packages& packages) {
+  const std::string uri = reader.text();
+  if (uri.rfind("package://", 0) != 0) return reader.existing_file();
+  return resolve_mesh(uri, {{}, packages}, reader.where());
+}
+
+RobotSection read_robot(const ConfigReader& reader) {
+  reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "srdf", "packages"});
+  RobotSource source;
+  if (const auto packages = reader.find("packages"))
+    for (const ConfigReader& folder : packages->items())
+      source.packages.push_back(folder.relative_path());
+  source.urdf = find_file(reader.at("urdf"), source.packages);
+  if (const auto base = reader.find("base_link")) source.base_link = base->text();
+  if (const auto tip = reader.find("tip_link")) source.tip_link = tip->text();
+  if (const auto tool = reader.find("tool")) source.tool = read_pose(*tool);
+  if (const auto limits = reader.find("limits"))
+    source.limits = find_file(*limits, source.packages);
+
+  RobotSection section;
+  section.packages = source.packages;
+  section.robot = std::make_shared<const Robot>(load_robot(source));
+  if (const auto srdf = reader.find("srdf"))
+    section.disabled = load_disabled_collisions(find_file(*srdf, source.packages));
+  return section;
+}
+
+}  // namespace wristwise

@@ -1,0 +1,124 @@
+#include <algorithm>
+
+#include "io/problem_sections.hpp"
+#include "kinematics/similar_names.hpp"
+#include "wristwise/mesh.hpp"
+
+namespace wristwise {
+
+namespace {
+
+const std::vector<std::string> kShapes = {"box", "cylinder", "sphere", "mesh"};
+
+double read_size(const ConfigReader& reader) { return reader.positive(Quantity::length); }
+
+Eigen::Vector3d read_scale(const std::optional<ConfigReader>& reader) {
+  if (!reader) return Eigen::Vector3d::Ones();
+  if (!reader->is_list()) return Eigen::Vector3d::Constant(reader->positive(Quantity::number));
+  const auto parts = reader->items(3, "a number or a list of three");
+  return {parts[0].positive(Quantity::number), parts[1].positive(Quantity::number),
+          parts[2].positive(Quantity::number)};
+}
+
+std::vector<Geometry> read_geometry(const ConfigReader& object, const std::string& shape,
+                                    const Packages& packages) {
+  const ConfigReader reader = object.at(shape);
+  if (shape == "box") {
+    const auto sizes = reader.items(3, "[x, y, z], the full edge lengths in m");
+    return {Box{{read_size(sizes[0]), read_size(sizes[1]), read_size(sizes[2])}}};
+  }
+  if (shape == "cylinder") {
+    const auto sizes = reader.items(2, "[radius, length] in m");
+    return {Cylinder{read_size(sizes[0]), read_size(sizes[1])}};
+  }
+  if (shape == "sphere") return {Sphere{read_size(reader)}};
+  std::vector<Geometry> geometries;
+  for (ConvexHull& hull : load_mesh(find_file(reader, packages), read_scale(object.find("scale"))))
+    geometries.emplace_back(std::move(hull));
+  return geometries;
+}
+
+SceneObject read_object(const ConfigReader& reader, const Packages& packages) {
+  reader.expect_keys({"name", "box", "cylinder", "sphere", "mesh", "scale", "xyz", "rpy"});
+  std::vector<std::string> given;
+  for (const std::string& shape : kShapes)
+    if (reader.find(shape)) given.push_back(shape);
+  if (given.size() != 1)
+    reader.fail(given.empty() ? "no shape" : "both " + given[0] + " and " + given[1],
+                "one of box, cylinder, sphere, mesh");
+  if (const auto scale = reader.find("scale"); scale && given[0] != "mesh")
+    scale->fail("only a mesh has a scale");
+
+  SceneObject object;
+  object.name = reader.at("name").text();
+  Eigen::Vector3d xyz = Eigen::Vector3d::Zero();
+  Eigen::Vector3d rpy = Eigen::Vector3d::Zero();
+  if (const auto position = reader.find("xyz")) xyz = position->vector(Quantity::length);
+  if (const auto angles = reader.find("rpy")) rpy = read_rpy(*angles);
+  const Pose pose = pose_from_xyz_rpy(xyz, rpy);
+  for (Geometry& geometry : read_geometry(reader, given[0], packages))
+    object.shapes.push_back({std::move(geometry), pose});
+  return object;
+}
+
+std::vector<std::string> body_names(const Robot& robot, const std::vector<SceneObject>& objects) {
+  std::vector<std::string> names;
+  for (const Link& link : robot.links()) names.push_back(link.name);
+  for (const SceneObject& object : objects) names.push_back(object.name);
+  return names;
+}
+
+std::string read_body_name(const ConfigReader& reader, const std::vector<std::string>& known) {
+  std::string name = reader.text();
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    reader.fail("no link or object '" + name + "'",
+                "one of the robot or the scene, such as " + similar_names(name, known));
+  return name;
+}
+
+std::vector<Scene::Names> read_pairs(const ConfigReader& reader,
+                                     const std::vector<std::string>& known) {
+  std::vector<Scene::Names> pairs;
+  for (const ConfigReader& pair : reader.items()) {
+    const auto names = pair.items(2, "[link or object, link or object]");
+    pairs.emplace_back(read_body_name(names[0], known), read_body_name(names[1], known));
+  }
+  if (pairs.empty()) reader.fail("no pairs", "at least one, or `collision: off`");
+  return pairs;
+}
+
+void read_collision(const ConfigReader& reader, const Robot& robot, Scene& scene) {
+  if (reader.is_map()) {
+    reader.expect_keys({"pairs"});
+    scene.scope = CollisionScope::pairs;
+    scene.pairs = read_pairs(reader.at("pairs"), body_names(robot, scene.objects));
+  } else if (reader.is_word("off")) {
+    scene.scope = CollisionScope::off;
+  } else if (!reader.is_word("all")) {
+    reader.fail("unknown scope", "all, off or {pairs: [[link, object], ...]}");
+  }
+}
+
+}  // namespace
+
+Scene read_scene(const std::optional<ConfigReader>& reader, const Robot& robot,
+                 const Packages& packages) {
+  Scene scene;
+  if (!reader) return scene;
+  reader->expect_keys({"collision", "objects", "clearance"});
+  if (const auto objects = reader->find("objects")) {
+    for (const ConfigReader& item : objects->items()) {
+      SceneObject object = read_object(item, packages);
+      const std::vector<std::string> taken = body_names(robot, scene.objects);
+      if (std::find(taken.begin(), taken.end(), object.name) != taken.end())
+        item.at("name").fail("'" + object.name + "' is the name of another link or object");
+      scene.objects.push_back(std::move(object));
+    }
+  }
+  if (const auto collision = reader->find("collision")) read_collision(*collision, robot, scene);
+  if (const auto clearance = reader->find("clearance"))
+    scene.clearance = clearance->not_negative(Quantity::length);
+  return scene;
+}
+
+}  // namespace wristwise

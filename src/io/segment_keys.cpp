@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include "io/path_section.hpp"
+#include "io/problem_sections.hpp"
+
+namespace wristwise {
+
+namespace {
+
+const std::vector<std::string> kKinds = {"line", "arc", "poses", "joints"};
+
+LineSegment read_line(const ConfigReader& reader, const Pose& part) {
+  reader.expect_keys({"from", "to"});
+  const LineSegment line{part * read_pose(reader.at("from"), true),
+                         part * read_pose(reader.at("to"), true)};
+  if ((line.to.translation() - line.from.translation()).norm() < 1e-9)
+    reader.at("to").at("xyz").fail("repeated waypoint, `to` is at the place of `from`",
+                                   "another place");
+  return line;
+}
+
+ArcSegment read_arc(const ConfigReader& reader, const Pose& part) {
+  reader.expect_keys({"from", "center", "axis", "angle"});
+  const Eigen::Vector3d axis = reader.at("axis").vector(Quantity::number);
+  if (axis.norm() < 1e-9) reader.at("axis").fail("the axis is zero", "a direction");
+  return {part * read_pose(reader.at("from"), true),
+          part * reader.at("center").vector(Quantity::length), part.linear() * axis,
+          reader.at("angle").quantity(Quantity::angle)};
+}
+
+JointListSegment read_joint_list(const ConfigReader& reader, const Robot& robot) {
+  JointListSegment list;
+  for (const ConfigReader& item : reader.items()) {
+    const auto count = static_cast<std::size_t>(robot.joint_count());
+    const auto values = item.items(count, fmt::format("{} joint values", count));
+    JointVector posture(robot.joint_count());
+    for (std::size_t j = 0; j < count; ++j) {
+      const bool prismatic = robot.joints()[j].type == JointType::prismatic;
+      posture[static_cast<Eigen::Index>(j)] =
+          values[j].quantity(prismatic ? Quantity::length : Quantity::angle);
+    }
+    list.postures.push_back(posture);
+    list.where.push_back(item.where());
+  }
+  if (list.postures.empty()) reader.fail("no joint waypoints", "at least one");
+  return list;
+}
+
+}  // namespace
+
+Segment read_segment(const ConfigReader& reader, const Pose& part, const ToleranceBox& tolerance,
+                     const Robot& robot) {
+  std::vector<std::string> keys = kKinds;
+  keys.emplace_back("tolerance");
+  reader.expect_keys(keys);
+  std::vector<std::string> given;
+  for (const std::string& kind : kKinds)
+    if (reader.find(kind)) given.push_back(kind);
+  if (given.size() != 1)
+    reader.fail(given.empty() ? "no segment" : "both " + given[0] + " and " + given[1],
+                "one of line, arc, poses, joints");
+
+  Segment segment;
+  const ConfigReader shape = reader.at(given[0]);
+  segment.where = shape.where();
+  segment.tolerance = tolerance;
+  if (const auto own = reader.find("tolerance")) segment.tolerance = read_tolerance(*own, {});
+  if (given[0] == "line")
+    segment.shape = read_line(shape, part);
+  else if (given[0] == "arc")
+    segment.shape = read_arc(shape, part);
+  else if (given[0] == "poses")
+    segment.shape = read_pose_list(shape.existing_file(), part);
+  else
+    segment.shape = read_joint_list(shape, robot);
+  return segment;
+}
+
+}  // namespace wristwise

@@ -1,0 +1,193 @@
+#include "refine/control_point_costs.hpp"
+
+namespace wristwise {
+
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using JacobianBlock = Eigen::Map<RowMajor>;
+
+/// A residual of consecutive control points, each a parameter block of one value per joint.
+class ControlPointCost : public ceres::CostFunction {
+ public:
+  ControlPointCost(int joints, int blocks, int residuals) : joints_(joints) {
+    set_num_residuals(residuals);
+    mutable_parameter_block_sizes()->assign(static_cast<std::size_t>(blocks), joints);
+  }
+
+ protected:
+  int joints() const { return joints_; }
+  int blocks() const { return static_cast<int>(parameter_block_sizes().size()); }
+  JacobianBlock jacobian(double** jacobians, int block) const {
+    return {jacobians[block], num_residuals(), joints_};
+  }
+  Eigen::Map<const Eigen::VectorXd> control(double const* const* parameters, int block) const {
+    return {parameters[block], joints_};
+  }
+  /// q = sum_k N_k c_k.
+  JointVector posture(double const* const* parameters, const SplineBasis::Values& basis) const {
+    JointVector q = JointVector::Zero(joints_);
+    for (int k = 0; k < blocks(); ++k) q += basis.derivatives(k, 0) * control(parameters, k);
+    return q;
+  }
+  /// d r / d c_k = N_k d r / d q.
+  void chain_rule(const Eigen::MatrixXd& d_q, const SplineBasis::Values& basis,
+                  double** jacobians) const {
+    for (int k = 0; k < blocks(); ++k) {
+      if (jacobians[k] != nullptr) jacobian(jacobians, k) = basis.derivatives(k, 0) * d_q;
+    }
+  }
+
+ private:
+  int joints_;
+};
+
+class SpanCost final : public ControlPointCost {
+ public:
+  SpanCost(const SpanFactor& factor, const JointVector& joint_weight)
+      : ControlPointCost(static_cast<int>(joint_weight.size()), SplineBasis::kLocal,
+                         SplineBasis::kLocal * static_cast<int>(joint_weight.size())),
+        factor_(factor),
+        joint_weight_(joint_weight) {}
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    Eigen::Map<Eigen::MatrixXd> residual(residuals, joints(), SplineBasis::kLocal);
+    residual.setZero();
+    for (int r = 0; r < SplineBasis::kLocal; ++r) {
+      for (int k = r; k < SplineBasis::kLocal; ++k) {
+        residual.col(r) += factor_(r, k) * control(parameters, k);
+      }
+      residual.col(r).array() *= joint_weight_.array();
+    }
+    if (jacobians == nullptr) return true;
+    for (int k = 0; k < SplineBasis::kLocal; ++k) {
+      if (jacobians[k] == nullptr) continue;
+      JacobianBlock block = jacobian(jacobians, k);
+      block.setZero();
+      for (int r = 0; r <= k; ++r) {
+        for (int j = 0; j < joints(); ++j) {
+          block(r * joints() + j, j) = factor_(r, k) * joint_weight_[j];
+        }
+      }
+    }
+    return true;
+  }
+
+ private:
+  SpanFactor factor_;
+  JointVector joint_weight_;
+};
+
+class EulerCost final : public ControlPointCost {
+ public:
+  EulerCost(const Robot& robot, const EulerPoint& point)
+      : ControlPointCost(robot.joint_count(), SplineBasis::kLocal, 2),
+        robot_(robot),
+        point_(point) {}
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    ChainPose chain;
+    forward_kinematics(robot_, posture(parameters, point_.basis), chain);
+    const Vector6 e = deviation(point_.tolerance, point_.frame, chain.tcp);
+    residuals[0] = point_.sqrt_alpha * e[3];
+    residuals[1] = point_.sqrt_beta * e[4];
+    if (jacobians == nullptr) return true;
+    const Jacobian d_e = deviation_jacobian(point_.tolerance, point_.frame, chain.tcp,
+                                            geometric_jacobian(robot_, chain));
+    Eigen::MatrixXd d_q(2, joints());
+    d_q.row(0) = point_.sqrt_alpha * d_e.row(3);
+    d_q.row(1) = point_.sqrt_beta * d_e.row(4);
+    chain_rule(d_q, point_.basis, jacobians);
+    return true;
+  }
+
+ private:
+  const Robot& robot_;
+  const EulerPoint& point_;
+};
+
+class PointCost final : public ControlPointCost {
+ public:
+  PointCost(const Robot& robot, ClearanceChecker& checker, const PointConstraint& point, double mu)
+      : ControlPointCost(robot.joint_count(), SplineBasis::kLocal,
+                         static_cast<int>(point.rows.size())),
+        checker_(checker),
+        point_(point),
+        mu_(mu) {}
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    PointValues values;
+    evaluate(point_, checker_, posture(parameters, point_.basis), mu_, jacobians != nullptr,
+             values);
+    for (Eigen::Index r = 0; r < values.c.size(); ++r) {
+      double slope = 0;
+      residuals[r] =
+          point_.rows[static_cast<std::size_t>(r)].bounds.residual(values.c[r], mu_, slope);
+      if (jacobians != nullptr) values.jacobian.row(r) *= slope;
+    }
+    if (jacobians != nullptr) chain_rule(values.jacobian, point_.basis, jacobians);
+    return true;
+  }
+
+ private:
+  ClearanceChecker& checker_;
+  const PointConstraint& point_;
+  double mu_;
+};
+
+class LimitCost final : public ControlPointCost {
+ public:
+  LimitCost(const LimitConstraint& limit, int joints, double mu)
+      : ControlPointCost(joints, static_cast<int>(limit.weights.size()),
+                         static_cast<int>(limit.rows.size())),
+        limit_(limit),
+        mu_(mu) {}
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    for (int k = 0; jacobians != nullptr && k < blocks(); ++k) {
+      if (jacobians[k] != nullptr) jacobian(jacobians, k).setZero();
+    }
+    for (std::size_t r = 0; r < limit_.rows.size(); ++r) {
+      double value = 0, slope = 0;
+      for (int k = 0; k < blocks(); ++k) {
+        value += limit_.weights[static_cast<std::size_t>(k)] * parameters[k][limit_.joints[r]];
+      }
+      residuals[r] = limit_.rows[r].residual(limit_.scale[r] * value, mu_, slope);
+      for (int k = 0; jacobians != nullptr && k < blocks(); ++k) {
+        if (jacobians[k] == nullptr) continue;
+        jacobian(jacobians, k)(static_cast<Eigen::Index>(r), limit_.joints[r]) =
+            slope * limit_.scale[r] * limit_.weights[static_cast<std::size_t>(k)];
+      }
+    }
+    return true;
+  }
+
+ private:
+  const LimitConstraint& limit_;
+  double mu_;
+};
+
+}  // namespace
+
+ceres::CostFunction* span_cost(const SpanFactor& factor, const JointVector& joint_weight) {
+  return new SpanCost(factor, joint_weight);
+}
+
+ceres::CostFunction* euler_cost(const Robot& robot, const EulerPoint& point) {
+  return new EulerCost(robot, point);
+}
+
+ceres::CostFunction* point_cost(const Robot& robot, ClearanceChecker& checker,
+                                const PointConstraint& point, double mu) {
+  return new PointCost(robot, checker, point, mu);
+}
+
+ceres::CostFunction* limit_cost(const LimitConstraint& limit, int joints, double mu) {
+  return new LimitCost(limit, joints, mu);
+}
+
+}  // namespace wristwise

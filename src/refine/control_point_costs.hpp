@@ -1,0 +1,28 @@
+#pragma once
+
+#include <ceres/cost_function.h>
+
+#include "refine/limit_constraint.hpp"
+#include "refine/objective.hpp"
+#include "refine/point_constraint.hpp"
+
+namespace wristwise {
+
+/// The residuals of the augmented Lagrangian as functions of consecutive control points, each a
+/// parameter block of one value per joint, with analytic Jacobians. The caller owns what is
+/// returned; arguments held by reference must outlive it.
+
+/// R c_j W_j for one span (F14): six residuals for each joint.
+ceres::CostFunction* span_cost(const SpanFactor& factor, const JointVector& joint_weight);
+
+/// sqrt(weight) (alpha, beta) at a quadrature point (F14).
+ceres::CostFunction* euler_cost(const Robot& robot, const EulerPoint& point);
+
+/// The rows of a point constraint (F16).
+ceres::CostFunction* point_cost(const Robot& robot, ClearanceChecker& checker,
+                                const PointConstraint& point, double mu);
+
+/// The rows of a limit constraint (F15, F16).
+ceres::CostFunction* limit_cost(const LimitConstraint& limit, int joints, double mu);
+
+}  // namespace wristwise

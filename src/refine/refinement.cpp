@@ -1,0 +1,223 @@
+#include "refine/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cancelled.hpp"
+#include "refine/dip_search.hpp"
+#include "refine/spline_solver.hpp"
+
+namespace wristwise {
+
+namespace {
+
+constexpr double kStartShare = 0.05;   ///< first mu, as a share of the seed's mean objective
+constexpr double kGrowth = 10;         ///< of mu in a round that gains too little
+constexpr double kMuRange = 1e9;       ///< last mu / first mu
+constexpr double kBand = 0.02;         ///< m; pairs that are nearer than this get a constraint
+constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
+constexpr int kSamplesBetween = 10;
+constexpr int kStalledRounds = 3;
+constexpr int kFewestSpans = 8;
+constexpr double kSettled = 1e-5;  ///< relative change of the objective between rounds
+
+class Refinement {
+ public:
+  Refinement(const RefinementInput& input, const JointPath& seed)
+      : input_(input),
+        weights_(
+            objective_weights(input.cost, input.options.smoothing_time, input.robot.joint_count())),
+        checker_(input.clearance),
+        required_(input.clearance->clearance() + input.options.clearance_epsilon),
+        spacing_(first_spacing(seed)),
+        spline_(fit_spline(seed, choose_breakpoints(seed.times, spacing_))) {
+    const ObjectiveTerms initial = objective_terms(weights_, input.robot, input.task, seed);
+    initial_ = initial;
+    const double duration = seed.times.back() - seed.times.front();
+    first_mu_ = kStartShare * std::max(initial.total(), 1e-3 / duration);
+    mu_ = first_mu_;
+    for (const Waypoint& waypoint : input.task.waypoints) {
+      points_.push_back(constraint_at_waypoint(waypoint, spline_.basis));
+    }
+    prepare_basis();
+  }
+
+  Refined run() {
+    double last_objective = initial_.total();
+    double best_violation = INFINITY;
+    int stalled = 0;
+    for (round_ = 0; round_ < input_.options.max_rounds; ++round_) {
+      input_.monitor.report("refine", static_cast<double>(round_) / input_.options.max_rounds);
+      add_near_pairs_everywhere();
+      const bool settled_inside = minimise_once();
+      const double violation = measure();
+      const double objective = terms().total();
+      const bool settled =
+          settled_inside && std::abs(objective - last_objective) <= kSettled * objective;
+      last_objective = objective;
+      statistics_.max_violation = violation;
+      if (violation <= input_.options.constraint_tolerance && settled) {
+        if (!add_dips()) return finish(true, "converged");
+        best_violation = INFINITY;
+        stalled = 0;
+        continue;
+      }
+      update_multipliers();
+      if (violation > input_.options.constraint_tolerance && violation > 0.5 * best_violation) {
+        if (++stalled >= kStalledRounds && mu_ > 1e3 * first_mu_) {
+          if (!refine_knots()) return finish(false, "the constraints can't be met together");
+          stalled = 0;
+          best_violation = INFINITY;
+          continue;
+        }
+      } else {
+        stalled = 0;
+      }
+      if (violation > 0.1 * best_violation) mu_ = std::min(mu_ * kGrowth, first_mu_ * kMuRange);
+      best_violation = std::min(best_violation, violation);
+    }
+    return finish(false, "round limit");
+  }
+
+ private:
+  double first_spacing(const JointPath& seed) const {
+    const RefineOptions& options = input_.options;
+    const double duration = seed.times.back() - seed.times.front();
+    const double wanted =
+        options.knot_spacing > 0 ? options.knot_spacing : 0.4 * options.smoothing_time;
+    return std::min(wanted, duration / kFewestSpans);
+  }
+
+  void prepare_basis() {
+    span_factors_ = span_factors(weights_, spline_.basis);
+    euler_points_ = euler_points(weights_, input_.task, spline_.basis);
+    limits_ = limit_constraints(input_.robot, spline_.basis);
+    for (PointConstraint& point : points_) point.basis = spline_.basis.at(point.time);
+  }
+
+  /// Twice as many knots, where there are waypoints to put them on. The curve is kept.
+  bool refine_knots() {
+    const auto count = spline_.basis.breakpoints().size();
+    std::vector<double> times;
+    JointPath current;
+    for (const Waypoint& waypoint : input_.task.waypoints) {
+      current.times.push_back(waypoint.time);
+      current.positions.push_back(spline_.evaluate(waypoint.time));
+    }
+    spacing_ *= 0.5;
+    auto breakpoints = choose_breakpoints(current.times, spacing_);
+    if (breakpoints.size() <= count) return false;
+    spline_ = fit_spline(current, std::move(breakpoints));
+    prepare_basis();
+    mu_ = std::max(first_mu_, mu_ / (kGrowth * kGrowth));
+    return true;
+  }
+
+  void add_near_pairs_everywhere() {
+    for (PointConstraint& point : points_) {
+      add_near_pairs(point, checker_, spline_.evaluate(point.time), required_, kBand);
+    }
+  }
+
+  bool minimise_once() {
+    const AugmentedProblem problem{input_.robot,  checker_, weights_.joint, span_factors_,
+                                   euler_points_, points_,  limits_,        mu_};
+    const InnerSummary inner =
+        minimise(problem, spline_, input_.options.max_iterations, 1e-8, input_.monitor);
+    statistics_.iterations += inner.iterations;
+    statistics_.evaluations += inner.evaluations;
+    return inner.converged;
+  }
+
+  /// The largest violation; keeps the values for the update of the multipliers.
+  double measure() {
+    double violation = 0;
+    values_.resize(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      PointConstraint& point = points_[i];
+      evaluate(point, checker_, spline_.evaluate(point.time), mu_, false, values_[i]);
+      for (std::size_t r = 0; r < point.rows.size(); ++r) {
+        violation = std::max(
+            violation, point.rows[r].bounds.violation(values_[i].c[static_cast<Eigen::Index>(r)]));
+      }
+    }
+    for (const LimitConstraint& limit : limits_) {
+      for (std::size_t r = 0; r < limit.rows.size(); ++r) {
+        violation = std::max(violation, limit.rows[r].violation(limit.value(spline_.control, r)));
+      }
+    }
+    return violation;
+  }
+
+  void update_multipliers() {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      for (std::size_t r = 0; r < points_[i].rows.size(); ++r) {
+        points_[i].rows[r].bounds.update_multiplier(values_[i].c[static_cast<Eigen::Index>(r)],
+                                                    mu_);
+      }
+    }
+    for (LimitConstraint& limit : limits_) {
+      for (std::size_t r = 0; r < limit.rows.size(); ++r) {
+        limit.rows[r].update_multiplier(limit.value(spline_.control, r), mu_);
+      }
+    }
+  }
+
+  /// Adds a constraint point at the worst dip of every interval that has one.
+  bool add_dips() {
+    const double accepted = required_ - 0.5 * input_.options.clearance_epsilon;
+    const auto dips = find_dips(input_.task, spline_, checker_, accepted, kSamplesBetween);
+    for (const Dip& dip : dips) {
+      points_.push_back(
+          constraint_between(input_.task, dip.interval, dip.time, kBetweenShare, spline_.basis));
+    }
+    return !dips.empty();
+  }
+
+  ObjectiveTerms terms() const {
+    return objective_terms(weights_, input_.robot, input_.task, spline_);
+  }
+
+  Refined finish(bool feasible, const std::string& termination) {
+    const ObjectiveTerms final_terms = terms();
+    statistics_.run = true;
+    statistics_.rounds = round_ + 1;
+    statistics_.control_points = spline_.basis.control_count();
+    statistics_.constraint_points = static_cast<int>(points_.size());
+    statistics_.termination = termination;
+    statistics_.objective = final_terms.total();
+    statistics_.terms = {{"joint_motion", initial_.joint_motion, final_terms.joint_motion},
+                         {"acceleration", initial_.acceleration, final_terms.acceleration},
+                         {"jerk", initial_.jerk, final_terms.jerk},
+                         {"euler", initial_.euler, final_terms.euler}};
+    std::vector<double> times;
+    for (const Waypoint& waypoint : input_.task.waypoints) times.push_back(waypoint.time);
+    return {spline_.sampled_at(times), feasible, statistics_};
+  }
+
+  const RefinementInput& input_;
+  ObjectiveWeights weights_;
+  ClearanceChecker checker_;
+  double required_;
+  double spacing_;
+  Spline spline_;
+  ObjectiveTerms initial_;
+  double first_mu_ = 0;
+  double mu_ = 0;
+  int round_ = 0;
+  std::vector<PointConstraint> points_;
+  std::vector<LimitConstraint> limits_;
+  std::vector<SpanFactor> span_factors_;
+  std::vector<EulerPoint> euler_points_;
+  std::vector<PointValues> values_;
+  RefineStatistics statistics_;
+};
+
+}  // namespace
+
+Refined refine(const RefinementInput& input, const JointPath& seed) {
+  return Refinement(input, seed).run();
+}
+
+}  // namespace wristwise

@@ -1,0 +1,159 @@
+#include "refine/spline.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "refine/gauss_quadrature.hpp"
+
+namespace wristwise {
+
+SplineBasis::SplineBasis(std::vector<double> breakpoints) : breakpoints_(std::move(breakpoints)) {
+  knots_.assign(kDegree, breakpoints_.front());
+  knots_.insert(knots_.end(), breakpoints_.begin(), breakpoints_.end());
+  knots_.insert(knots_.end(), kDegree, breakpoints_.back());
+}
+
+// Piegl & Tiller, The NURBS Book, algorithm A2.3: ndu holds the basis functions of all degrees
+// (upper triangle) and the knot differences (lower triangle); the derivatives follow from the
+// differences of lower-degree functions (eq. 2.10).
+SplineBasis::Values SplineBasis::at(double t) const {
+  const auto after = std::upper_bound(breakpoints_.begin() + 1, breakpoints_.end() - 1, t);
+  const int first = static_cast<int>(after - breakpoints_.begin()) - 1;
+  const int span = first + kDegree;
+
+  Eigen::Matrix<double, kLocal, kLocal> ndu;
+  std::array<double, kLocal> left{}, right{};
+  ndu(0, 0) = 1;
+  for (int j = 1; j <= kDegree; ++j) {
+    left[static_cast<std::size_t>(j)] = t - knot(span + 1 - j);
+    right[static_cast<std::size_t>(j)] = knot(span + j) - t;
+    double saved = 0;
+    for (int r = 0; r < j; ++r) {
+      ndu(j, r) = right[static_cast<std::size_t>(r + 1)] + left[static_cast<std::size_t>(j - r)];
+      const double term = ndu(r, j - 1) / ndu(j, r);
+      ndu(r, j) = saved + right[static_cast<std::size_t>(r + 1)] * term;
+      saved = left[static_cast<std::size_t>(j - r)] * term;
+    }
+    ndu(j, j) = saved;
+  }
+
+  Values values;
+  values.first = first;
+  values.derivatives.col(0) = ndu.col(kDegree);
+  for (int r = 0; r < kLocal; ++r) {
+    Eigen::Matrix<double, 2, kLocal> a = Eigen::Matrix<double, 2, kLocal>::Zero();
+    int current = 0, next = 1;
+    a(0, 0) = 1;
+    double factor = 1;
+    for (int k = 1; k <= 3; ++k) {
+      double sum = 0;
+      const int rk = r - k, pk = kDegree - k;
+      if (r >= k) {
+        a(next, 0) = a(current, 0) / ndu(pk + 1, rk);
+        sum = a(next, 0) * ndu(rk, pk);
+      }
+      const int j1 = rk >= -1 ? 1 : -rk;
+      const int j2 = r - 1 <= pk ? k - 1 : kDegree - r;
+      for (int j = j1; j <= j2; ++j) {
+        a(next, j) = (a(current, j) - a(current, j - 1)) / ndu(pk + 1, rk + j);
+        sum += a(next, j) * ndu(rk + j, pk);
+      }
+      if (r <= pk) {
+        a(next, k) = -a(current, k - 1) / ndu(pk + 1, r);
+        sum += a(next, k) * ndu(r, pk);
+      }
+      factor *= kDegree - k + 1;
+      values.derivatives(r, k) = factor * sum;
+      std::swap(current, next);
+    }
+  }
+  return values;
+}
+
+// (F15) c^(k)_i = (p - k + 1) (c^(k-1)_{i+1} - c^(k-1)_i) / (u_{i+p+1} - u_{i+k}).
+std::vector<double> SplineBasis::derivative_weights(int derivative, int i) const {
+  std::vector<std::vector<double>> weights(static_cast<std::size_t>(derivative + 1));
+  for (int m = 0; m <= derivative; ++m) {
+    weights[static_cast<std::size_t>(m)].assign(static_cast<std::size_t>(derivative + 1), 0.0);
+    weights[static_cast<std::size_t>(m)][static_cast<std::size_t>(m)] = 1;
+  }
+  for (int k = 1; k <= derivative; ++k) {
+    for (int m = 0; m + k <= derivative; ++m) {
+      const double width = knot(i + m + kDegree + 1) - knot(i + m + k);
+      auto& here = weights[static_cast<std::size_t>(m)];
+      const auto& next = weights[static_cast<std::size_t>(m + 1)];
+      for (std::size_t w = 0; w < here.size(); ++w) {
+        here[w] = (kDegree - k + 1) * (next[w] - here[w]) / width;
+      }
+    }
+  }
+  return weights.front();
+}
+
+JointVector Spline::evaluate(double t, int derivative) const {
+  const SplineBasis::Values values = basis.at(t);
+  return control.middleCols<SplineBasis::kLocal>(values.first) * values.derivatives.col(derivative);
+}
+
+Trajectory Spline::sampled_at(const std::vector<double>& times) const {
+  std::vector<JointVector> position, velocity, acceleration;
+  for (const double t : times) {
+    position.push_back(evaluate(t, 0));
+    velocity.push_back(evaluate(t, 1));
+    acceleration.push_back(evaluate(t, 2));
+  }
+  return {times, position, velocity, acceleration};
+}
+
+std::vector<double> choose_breakpoints(const std::vector<double>& times, double spacing) {
+  std::vector<double> breakpoints = {times.front()};
+  for (const double t : times) {
+    if (t - breakpoints.back() >= spacing * (1 - 1e-9)) breakpoints.push_back(t);
+  }
+  if (breakpoints.back() < times.back()) {
+    const bool crowded =
+        breakpoints.size() > 1 && times.back() - breakpoints.back() < 0.5 * spacing;
+    if (crowded) breakpoints.pop_back();
+    breakpoints.push_back(times.back());
+  }
+  return breakpoints;
+}
+
+Spline fit_spline(const JointPath& path, std::vector<double> breakpoints) {
+  Spline spline{SplineBasis(std::move(breakpoints)), {}};
+  const SplineBasis& basis = spline.basis;
+  const int count = basis.control_count();
+  const Eigen::Index joints = path.positions.front().size();
+  std::vector<Eigen::Triplet<double>> gram;
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, joints);
+  const auto add = [&](const SplineBasis::Values& values, int derivative, double weight) {
+    const auto column = values.derivatives.col(derivative);
+    for (int a = 0; a < SplineBasis::kLocal; ++a) {
+      for (int b = 0; b < SplineBasis::kLocal; ++b) {
+        gram.emplace_back(values.first + a, values.first + b, weight * column[a] * column[b]);
+      }
+    }
+  };
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const SplineBasis::Values values = basis.at(path.times[i]);
+    add(values, 0, 1.0);
+    right.middleRows<SplineBasis::kLocal>(values.first) +=
+        values.derivatives.col(0) * path.positions[i].transpose();
+  }
+  // Jerk is made comparable with position by the sixth power of the mean span.
+  const double duration = path.times.back() - path.times.front();
+  const double span = duration / basis.span_count();
+  const double trace = 1e-7 * std::pow(span, 6) * static_cast<double>(path.size()) / duration;
+  for (const QuadraturePoint& point : gauss_points(basis.breakpoints())) {
+    add(basis.at(point.time), 3, trace * point.weight);
+  }
+  Eigen::SparseMatrix<double> matrix(count, count);
+  matrix.setFromTriplets(gram.begin(), gram.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  spline.control = solver.solve(right).transpose();
+  return spline;
+}
+
+}  // namespace wristwise

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "wristwise/trajectory.hpp"
+
+namespace wristwise {
+
+/// The quintic B-spline basis over given breakpoints, clamped at both ends: four times continuously
+/// differentiable, six functions on each span, breakpoints + 4 control points in all.
+class SplineBasis {
+ public:
+  static constexpr int kDegree = 5;
+  static constexpr int kLocal = kDegree + 1;
+
+  /// The functions that do not vanish at a time, and their derivatives.
+  struct Values {
+    int first = 0;                                 ///< index of the first control point
+    Eigen::Matrix<double, kLocal, 4> derivatives;  ///< column k: k-th derivative, 1/s^k
+  };
+
+  /// @pre breakpoints (s) increase strictly; at least two
+  explicit SplineBasis(std::vector<double> breakpoints);
+
+  int control_count() const { return static_cast<int>(breakpoints_.size()) + kDegree - 1; }
+  int span_count() const { return static_cast<int>(breakpoints_.size()) - 1; }
+  const std::vector<double>& breakpoints() const { return breakpoints_; }
+
+  Values at(double t) const;
+
+  /// The k-th derivative's control point i is sum_m weights[m] c[i + m], m = 0 .. k (F15).
+  std::vector<double> derivative_weights(int derivative, int i) const;
+
+ private:
+  double knot(int i) const { return knots_[static_cast<std::size_t>(i)]; }
+  std::vector<double> breakpoints_;
+  std::vector<double> knots_;
+};
+
+/// A joint motion: one column of control points for each basis function.
+struct Spline {
+  SplineBasis basis;
+  Eigen::MatrixXd control;  ///< joints x control points
+
+  JointVector evaluate(double t, int derivative = 0) const;
+
+  /// The piecewise quintic with the same value, velocity and acceleration at the given times: the
+  /// same curve where every breakpoint is one of them.
+  Trajectory sampled_at(const std::vector<double>& times) const;
+};
+
+/// Breakpoints chosen among `times` so that neighbours are at least `spacing` apart where possible;
+/// the first and the last time are kept.
+std::vector<double> choose_breakpoints(const std::vector<double>& times, double spacing);
+
+/// Least-squares fit to a path; a trace of jerk settles what the path leaves open.
+Spline fit_spline(const JointPath& path, std::vector<double> breakpoints);
+
+}  // namespace wristwise

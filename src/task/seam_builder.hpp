@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "wristwise/robot.hpp"
+#include "wristwise/seam.hpp"
+
+namespace wristwise {
+
+// Poses are in the base frame. `where` names the input in messages.
+
+struct LineSegment {
+  Pose from, to;
+};
+/// `from` turned rigidly about an axis through the center.
+struct ArcSegment {
+  Pose from;
+  Eigen::Vector3d center;  ///< m
+  Eigen::Vector3d axis;    ///< of any length but zero
+  double angle;            ///< rad, right-handed
+};
+/// Poses joined by lines.
+struct PoseListSegment {
+  std::vector<Pose> poses;
+  std::vector<double> times;       ///< s, increasing; empty: by the speed
+  std::vector<std::string> where;  ///< one per pose
+};
+struct JointListSegment {
+  std::vector<JointVector> postures;
+  std::vector<std::string> where;  ///< one per posture
+};
+
+struct Segment {
+  std::variant<LineSegment, ArcSegment, PoseListSegment, JointListSegment> shape;
+  ToleranceBox tolerance;
+  std::string where;
+};
+
+/// The seam as the user describes it.
+struct SeamDescription {
+  std::vector<Segment> segments;
+  std::optional<double> speed;    ///< m/s
+  std::optional<double> spacing;  ///< m, the longest interval between waypoints
+  std::optional<int> waypoints;   ///< of the whole seam
+  std::string where;
+};
+
+/// Joins the segments, gives them their times and cuts them into waypoints.
+/// @throws InvalidInput naming the segment: nothing to join, gaps, repeated waypoints, no speed.
+Task build_task(const Robot& robot, const SeamDescription& description);
+
+}  // namespace wristwise

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "task/seam_builder.hpp"
+
+namespace wristwise {
+
+/// A piece of the seam before it is timed and cut.
+struct Stretch {
+  SeamPiece piece;                        ///< its times are not set yet
+  std::optional<double> duration;         ///< s, where the input prescribes it
+  double least_duration = 0;              ///< s, of a move between two postures
+  std::optional<JointVector> end_joints;  ///< where it ends at a joint waypoint
+  std::size_t segment = 0;
+  std::string where;
+};
+
+struct Stretches {
+  double start_time = 0;  ///< s
+  Pose start = Pose::Identity();
+  std::optional<JointVector> start_joints;
+  std::vector<Stretch> stretches;
+};
+
+/// Turns segments into stretches and joins them, with moves to and from joint waypoints.
+Stretches lay_out(const Robot& robot, const std::vector<Segment>& segments);
+
+}  // namespace wristwise

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+
+#include "wristwise/error.hpp"
+#include "wristwise/seam.hpp"
+
+namespace wristwise {
+
+namespace {
+
+constexpr double kTimeTolerance = 1e-6;  // s, by which given times may miss the seam's own
+
+void check_times(const Seam& seam, const std::vector<double>& times) {
+  if (times.size() < 2)
+    throw InvalidInput("times", std::to_string(times.size()) + " given", "at least two");
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const std::string where = "times[" + std::to_string(i) + "]";
+    if (!std::isfinite(times[i])) throw InvalidInput(where, "not finite");
+    if (i > 0 && times[i] <= times[i - 1])
+      throw InvalidInput(where, std::to_string(times[i]) + " s does not increase");
+    if (times[i] < seam.start_time() - kTimeTolerance ||
+        times[i] > seam.end_time() + kTimeTolerance)
+      throw InvalidInput(
+          where, std::to_string(times[i]) + " s is not on the seam",
+          std::to_string(seam.start_time()) + " to " + std::to_string(seam.end_time()) + " s");
+  }
+}
+
+/// The waypoint that ends the stretch on which t lies; the nearest one where t is within tolerance.
+std::vector<Waypoint>::const_iterator waypoint_from(const std::vector<Waypoint>& waypoints,
+                                                    double t) {
+  const auto found =
+      std::lower_bound(waypoints.begin(), waypoints.end(), t - kTimeTolerance,
+                       [](const Waypoint& waypoint, double time) { return waypoint.time < time; });
+  return found == waypoints.end() ? std::prev(found) : found;
+}
+
+Waypoint waypoint_at(const Task& task, double t) {
+  const auto next = waypoint_from(task.waypoints, t);
+  Waypoint waypoint = *next;
+  waypoint.time = t;
+  if (std::abs(next->time - t) <= kTimeTolerance) return waypoint;
+  if (task.seam.piece_at(t).kind == SeamPiece::Kind::move)
+    throw InvalidInput("time " + std::to_string(t) + " s",
+                       "lies on a move to or from a joint waypoint, where no path is prescribed",
+                       "times on the seam, or those of its joint waypoints");
+  waypoint.frame = task.seam.frame_at(t);
+  waypoint.joints.reset();
+  return waypoint;
+}
+
+std::size_t count_joint_waypoints(const Task& task) {
+  return static_cast<std::size_t>(
+      std::count_if(task.waypoints.begin(), task.waypoints.end(),
+                    [](const Waypoint& waypoint) { return waypoint.joints.has_value(); }));
+}
+
+}  // namespace
+
+Task Task::with_waypoints_at(const std::vector<double>& times) const {
+  if (waypoints.empty()) throw InvalidInput("task", "no waypoints", "at least two");
+  check_times(seam, times);
+  Task task = *this;
+  task.waypoints.clear();
+  for (const double t : times) task.waypoints.push_back(waypoint_at(*this, t));
+  if (count_joint_waypoints(task) != count_joint_waypoints(*this))
+    throw InvalidInput("times", "a joint waypoint of the path is left out or repeated",
+                       "the time of each joint waypoint, once");
+  return task;
+}
+
+std::optional<ToleranceBox> Task::tolerance_between(std::size_t interval) const {
+  if (interval + 1 >= waypoints.size())
+    throw InvalidInput("interval " + std::to_string(interval), "beyond the last waypoint");
+  const double middle = 0.5 * (waypoints[interval].time + waypoints[interval + 1].time);
+  if (seam.piece_at(middle).kind == SeamPiece::Kind::move) return std::nullopt;
+  return waypoints[interval + 1].tolerance;
+}
+
+}  // namespace wristwise

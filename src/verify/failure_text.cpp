@@ -1,0 +1,63 @@
+#include "verify/failure_text.hpp"
+
+#include <fmt/format.h>
+
+#include "wristwise/tolerance.hpp"
+
+namespace wristwise::text {
+
+namespace {
+
+constexpr double kDegrees = 57.29577951308232;
+
+std::string amount(int coordinate, double excess) {
+  return coordinate < 3 ? fmt::format("{:.4g} mm", excess * 1e3)
+                        : fmt::format("{:.4g} deg", excess * kDegrees);
+}
+
+const char* name(int coordinate) { return kCoordinateNames[static_cast<std::size_t>(coordinate)]; }
+
+}  // namespace
+
+std::string coverage(double first, double last, double start, double end) {
+  return fmt::format("runs from {:.6g} s to {:.6g} s, the seam from {:.6g} s to {:.6g} s", first,
+                     last, start, end);
+}
+
+std::string posture(std::size_t waypoint, double time, double error) {
+  return fmt::format("waypoint {} ({:.4g} s): {:.3g} off the posture that is given", waypoint, time,
+                     error);
+}
+
+std::string waypoint_box(std::size_t waypoint, double time, int coordinate, double excess) {
+  return fmt::format("waypoint {} ({:.4g} s): {} is {} outside its tolerance", waypoint, time,
+                     name(coordinate), amount(coordinate, excess));
+}
+
+std::string between_box(double time, int coordinate, double excess) {
+  return fmt::format("between waypoints ({:.4g} s): {} is {} outside its tolerance", time,
+                     name(coordinate), amount(coordinate, excess));
+}
+
+std::string skipped_waypoint(std::size_t waypoint, double time, int coordinate, double excess) {
+  return fmt::format("waypoint {} of the problem ({:.4g} s) has no row, and {} is {} outside there",
+                     waypoint, time, name(coordinate), amount(coordinate, excess));
+}
+
+std::string joint_limit(const std::string& joint, double time, double excess) {
+  return fmt::format("{} is {:.3g} beyond its limit after {:.4g} s", joint, excess, time);
+}
+
+std::string rate(int derivative, const std::string& joint, double time, double ratio) {
+  constexpr std::array<const char*, 4> kNames = {"", "velocity", "acceleration", "jerk"};
+  return fmt::format("{} of {} is {:.3f} times its limit at {:.4g} s",
+                     kNames[static_cast<std::size_t>(derivative)], joint, ratio, time);
+}
+
+std::string clearance(const std::pair<std::string, std::string>& pair, double time, double distance,
+                      double required) {
+  return fmt::format("{} - {}: {:.4g} mm apart at {:.4g} s, {:.4g} mm required", pair.first,
+                     pair.second, distance * 1e3, time, required * 1e3);
+}
+
+}  // namespace wristwise::text
