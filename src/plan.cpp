@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <utility>
 
 #include "cancelled.hpp"
 #include "graph/diagnosis.hpp"
 #include "graph/ladder_graph.hpp"
+#include "graph/move_checker.hpp"
 #include "graph/path_sampling.hpp"
 #include "parallel.hpp"
 #include "refine/refinement.hpp"
 #include "wristwise/error.hpp"
-#include "wristwise/swept_clearance.hpp"
 
 namespace wristwise {
 
@@ -99,7 +100,7 @@ class Pipeline {
       record_path(task, rungs, path);
       if (!path.found) {
         sampled.rungs = std::move(rungs);
-        diagnosis = diagnose_moves(*problem_.robot, task, sampled, rules, path, clearance_,
+        diagnosis = diagnose_moves(task, sampled, rules, path, *moves_, clearance_,
                                    verification_.clearance_epsilon);
       }
     }
@@ -144,14 +145,11 @@ class Pipeline {
       rules.max_step.push_back((task.waypoints[i + 1].time - task.waypoints[i].time) *
                                problem_.robot->velocity_limits());
     }
-    if (clearance_->pairs().empty()) return rules;
-    checkers_.clear();
-    for (int i = 0; i < threads_; ++i) checkers_.emplace_back(clearance_);
-    rules.is_clear = [this](int worker, std::size_t, const JointVector& from,
+    moves_ = std::make_unique<MoveChecker>(task, clearance_, problem_.graph.max_stray,
+                                           verification_.clearance_epsilon, threads_);
+    rules.is_clear = [this](int worker, std::size_t interval, const JointVector& from,
                             const JointVector& to) {
-      return check_motion(checkers_[static_cast<std::size_t>(worker)], StraightMove(from, to),
-                          clearance_->clearance(), verification_.clearance_epsilon)
-          .clear;
+      return moves_->is_clear(worker, interval, from, to);
     };
     return rules;
   }
@@ -159,9 +157,7 @@ class Pipeline {
   LadderPath search(const std::vector<Rung>& rungs, const EdgeRules& rules) {
     const Stopwatch watch(result_.timing.search);
     LadderPath path = find_least_cost_path(rungs, rules, threads_, options_.monitor);
-    for (const ClearanceChecker& checker : checkers_) {
-      result_.graph.collision_checks += checker.queries();
-    }
+    result_.graph.collision_checks += moves_->queries();
     return path;
   }
 
@@ -218,7 +214,7 @@ class Pipeline {
   const int threads_;
   VerificationOptions verification_;
   std::shared_ptr<const ClearanceModel> clearance_;
-  std::vector<ClearanceChecker> checkers_;  ///< one for each thread
+  std::unique_ptr<MoveChecker> moves_;
   PlanResult result_;
 };
 

@@ -26,11 +26,14 @@ class ClearanceModel {
   };
   using Names = std::pair<std::string, std::string>;
 
-  /// Pairs fixed to each other, joined by one joint, disabled, or outside the scope are left out.
-  /// With scene.find_permanent_contacts so are pairs of bodies that are nearer than scene.clearance
-  /// in each of a fixed set of random postures (unless listed by CollisionScope::pairs); they are
-  /// then named by permanent_contacts().
-  /// @throws InvalidInput where a name is unknown or given twice, or the clearance is not finite.
+  /// Links that move together, links joined by one joint, disabled pairs and what is outside the
+  /// scope are left out; so are a fixed link and an object that are clear, as they stay so.
+  /// With scene.find_permanent_contacts pairs of bodies that are nearer than scene.clearance in
+  /// each of a fixed set of random postures are left out too (unless listed by
+  /// CollisionScope::pairs); they are named by permanent_contacts().
+  /// @throws InvalidInput where a listed name is unknown or a name given twice, a listed pair never
+  /// moves, the clearance is negative or not finite, or a shape unusable. Unknown names among the
+  /// disabled pairs are passed over: an SRDF may speak of links outside the chain.
   ClearanceModel(std::shared_ptr<const Robot> robot, const Scene& scene);
 
   const Robot& robot() const { return *robot_; }

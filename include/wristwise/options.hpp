@@ -25,14 +25,19 @@ struct GraphOptions {
   /// 0: the ends and the nominal for a bounded coordinate, 10 deg for a free one.
   Vector6 step = Vector6::Zero();
   Turns turns = Turns::all;
+  /// m; no edge on which the TCP strays farther than this from the seam half-way between two
+  /// waypoints: a joint-space move that swings the torch away from the weld is no way past an
+  /// obstacle. Infinity: any.
+  double max_stray = 0.02;
 };
 
 /// Stage 2.
 struct RefineOptions {
-  double smoothing_time = 2.5;         ///< tau, s: motion is ironed over about this long
-  double knot_spacing = 0;             ///< s between knots of the curve; 0: 0.4 tau
-  int max_rounds = 30;                 ///< of the augmented Lagrangian
-  int max_iterations = 40;             ///< of the inner solver in a round
+  double smoothing_time = 2.5;  ///< tau, s: motion is ironed over about this long
+  double knot_spacing = 0;      ///< s between knots; 0: 0.4 tau, but at least 100 spans where
+                                ///< there are waypoints to put them on
+  int max_rounds = 30;          ///< of the augmented Lagrangian
+  int max_iterations = 40;      ///< of the inner solver in a round
   double constraint_tolerance = 5e-7;  ///< m and rad, of the constraints at the points they hold at
   double clearance_epsilon = 5e-5;     ///< m kept in hand, so that the clearance holds for all t
 };

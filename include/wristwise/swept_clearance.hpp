@@ -28,9 +28,10 @@ class StraightMove : public Motion {
 
 struct SweptClearance {
   bool clear = false;
-  /// Shown for all s: distance >= bound (m). +infinity where no pair counts.
+  /// Shown for all s: distance >= bound (m). +infinity where no pair counts, -infinity where the
+  /// motion is not clear.
   double bound = 0;
-  /// Where it is not clear: the pair, the measured distance and the place.
+  /// Where it is not clear: the place, and the nearest pair there with its distance.
   int pair = -1;
   double distance = 0;
   double s = 0;
@@ -41,7 +42,8 @@ struct SweptClearance {
 /// settled when the distance at its middle exceeds the motion bound of its half (F10).
 /// Every sampled distance must be >= required - 1e-6; between samples the distance is shown to be
 /// >= required - epsilon.
-/// @param epsilon m, > 0: where distance hugs `required`, the bisection ends here
+/// @param epsilon m, > 1e-6: where distance hugs `required`, the bisection ends here
+/// @throws InvalidInput where an argument is not finite, or the motion's spread does not shrink
 SweptClearance check_motion(ClearanceChecker& checker, const Motion& motion, double required,
                             double epsilon = 5e-5);
 

@@ -62,14 +62,19 @@ void try_triangle(Combination& best, const Simplex& simplex, int i, int j, int k
   keep_nearer(best, simplex, {0, {i, j, k}, {1 - at_b - at_c, at_b, at_c}, 3});
 }
 
-bool tetrahedron_holds_origin(const Simplex& simplex) {
+/// Whether the origin is in the tetrahedron; the weights are then its coordinates.
+bool tetrahedron_holds_origin(Simplex& simplex) {
   const Eigen::Vector3d &a = at(simplex, 0), &b = at(simplex, 1), &c = at(simplex, 2),
                         &d = at(simplex, 3);
   const double volume = (b - a).cross(c - a).dot(d - a);
   if (volume == 0) return false;
-  const auto same_side = [volume](double part) { return part * volume >= 0; };
-  return same_side(b.dot(c.cross(d))) && same_side(-a.dot(c.cross(d))) &&
-         same_side(a.dot(b.cross(d))) && same_side(-a.dot(b.cross(c)));
+  const Eigen::Array4d part(b.dot(c.cross(d)), -a.dot(c.cross(d)), a.dot(b.cross(d)),
+                            -a.dot(b.cross(c)));
+  const Eigen::Array4d weight = part / volume;
+  if (!(weight >= 0).all()) return false;
+  for (int i = 0; i < 4; ++i)
+    simplex.weights[static_cast<std::size_t>(i)] = weight[i] / weight.sum();
+  return true;
 }
 
 // The nearest point lies inside a vertex, edge or triangle of the simplex. The point added last
@@ -117,13 +122,16 @@ CertifiedDistance nearest_points(const PlacedShape& a, const PlacedShape& b,
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     const DifferencePoint point = difference_support(a, b, -direction);
     const double gap = point.difference.dot(direction);
-    if (gap > result.lower) {
+    // An earlier normal may bound as well, but only this one is along the line of the points.
+    const bool closed = result.upper - gap <= kClosed;
+    if (closed || gap > result.lower) {
       result.lower = gap;
       result.normal = direction;
     }
-    if (result.upper - result.lower <= kClosed) break;
+    if (closed) break;
     simplex.points[static_cast<std::size_t>(simplex.size++)] = point;
     if (simplex.size == 4 && tetrahedron_holds_origin(simplex)) {
+      read_points(simplex, result);
       result.upper = 0;
       break;
     }

@@ -18,7 +18,8 @@ struct CertifiedDistance {
 double plane_gap(const PlacedShape& a, const PlacedShape& b, const Eigen::Vector3d& normal);
 
 /// Narrows the certificate to 1e-9 m where rounding allows, by the algorithm of Gilbert, Johnson
-/// and Keerthi (1988). `upper` is zero where the cores touch or overlap.
+/// and Keerthi (1988). `upper` is zero where the cores touch or overlap; the
+/// points are then the same, somewhere in the overlap.
 /// @param normal unit; where to look first
 CertifiedDistance nearest_points(const PlacedShape& a, const PlacedShape& b,
                                  const Eigen::Vector3d& normal);

@@ -25,13 +25,14 @@ CertifiedDistance penetration(const PlacedShape& a, const PlacedShape& b) {
     const DifferencePoint point = difference_support(a, b, face.normal);
     const double bound = point.difference.dot(face.normal);
     result.upper = -face.offset;
-    if (bound < depth) {
+    const bool closed = bound - face.offset <= kClosed;
+    if (closed || bound < depth) {
       depth = bound;
       // D moves with b: leaving along n means that b moves along -n of D's nearest face.
       result.normal = -face.normal;
       polytope.points_of(face, result.on_a, result.on_b);
     }
-    if (depth - face.offset <= kClosed || !polytope.add(point)) break;
+    if (closed || !polytope.add(point)) break;
   }
   result.lower = -depth;
   return result;

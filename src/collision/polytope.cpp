@@ -9,6 +9,8 @@ namespace {
 // A face counts as seen by a point that is in its plane to within this much (m), so that no new
 // face is as thin as a line.
 constexpr double kInPlane = 1e-13;
+// Faces whose planes are as far from the origin to within this much (m) may be one flat side.
+constexpr double kSameSide = 1e-9;
 
 DifferencePoint farther_of(const PlacedShape& a, const PlacedShape& b,
                            const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
@@ -64,7 +66,7 @@ bool Polytope::add(const DifferencePoint& point) {
   const int apex = vertex_count_++;
   vertices_[static_cast<std::size_t>(apex)] = point;
 
-  std::array<std::array<int, 2>, kMaxFaces> rim;
+  std::array<std::array<int, 2>, kMaxFaces> rim{};
   int rim_count = 0;
   const auto toggle = [&](int from, int to) {
     for (int e = 0; e < rim_count; ++e) {
@@ -94,23 +96,35 @@ bool Polytope::add(const DifferencePoint& point) {
   return rim_count > 0;
 }
 
-void Polytope::points_of(const Face& face, Eigen::Vector3d& on_a, Eigen::Vector3d& on_b) const {
+Eigen::Array3d Polytope::weights(const Face& face, const Eigen::Vector3d& point) const {
   const auto [i, j, k] = face.vertex;
-  const Eigen::Vector3d foot = face.offset * face.normal;
-  const Eigen::Vector3d &a = at(i), &b = at(j), &c = at(k);
+  const Eigen::Vector3d a = at(i) - point, b = at(j) - point, c = at(k) - point;
   const Eigen::Vector3d cross = (b - a).cross(c - a);
-  Eigen::Array3d weight((b - foot).cross(c - foot).dot(cross),
-                        (c - foot).cross(a - foot).dot(cross),
-                        (a - foot).cross(b - foot).dot(cross));
+  return Eigen::Array3d(b.cross(c).dot(cross), c.cross(a).dot(cross), a.cross(b).dot(cross)) /
+         cross.squaredNorm();
+}
+
+// The foot may lie in another triangle of the same flat side.
+void Polytope::points_of(const Face& face, Eigen::Vector3d& on_a, Eigen::Vector3d& on_b) const {
+  const Eigen::Vector3d foot = face.offset * face.normal;
+  const Face* around = &face;
+  Eigen::Array3d weight = weights(face, foot);
+  for (int f = 0; f < face_count_ && weight.minCoeff() < 0; ++f) {
+    const Face& other = faces_[static_cast<std::size_t>(f)];
+    if (other.offset - face.offset > kSameSide || other.normal.dot(face.normal) < 0.999) continue;
+    const Eigen::Array3d candidate = weights(other, foot);
+    if (candidate.minCoeff() <= weight.minCoeff()) continue;
+    around = &other;
+    weight = candidate;
+  }
   weight = weight.max(0);
   weight /= weight.sum();
   on_a.setZero();
   on_b.setZero();
   for (int v = 0; v < 3; ++v) {
-    const DifferencePoint& p =
-        vertices_[static_cast<std::size_t>(face.vertex[static_cast<std::size_t>(v)])];
-    on_a += weight[v] * p.on_a;
-    on_b += weight[v] * p.on_b;
+    const int corner = around->vertex[static_cast<std::size_t>(v)];
+    on_a += weight[v] * vertices_[static_cast<std::size_t>(corner)].on_a;
+    on_b += weight[v] * vertices_[static_cast<std::size_t>(corner)].on_b;
   }
 }
 

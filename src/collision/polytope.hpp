@@ -13,9 +13,9 @@ class Polytope {
   static constexpr int kMaxVertices = 160;
 
   struct Face {
-    std::array<int, 3> vertex;
+    std::array<int, 3> vertex{};
     Eigen::Vector3d normal;  ///< unit, outward
-    double offset;           ///< of the face's plane from the origin, along the normal
+    double offset = 0;       ///< of the face's plane from the origin, along the normal
   };
 
   /// A tetrahedron of points of the difference that are far apart.
@@ -35,6 +35,8 @@ class Polytope {
   static constexpr int kMaxFaces = 2 * kMaxVertices;
 
   bool add_face(int i, int j, int k);
+  /// Barycentric coordinates of a point of the face's plane.
+  Eigen::Array3d weights(const Face& face, const Eigen::Vector3d& point) const;
   const Eigen::Vector3d& at(int vertex) const {
     return vertices_[static_cast<std::size_t>(vertex)].difference;
   }

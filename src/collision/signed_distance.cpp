@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "collision/nearest_points.hpp"
+#include "collision/normal_search.hpp"
 #include "collision/penetration.hpp"
 #include "collision/point_distance.hpp"
 
@@ -10,11 +11,12 @@ namespace wristwise {
 
 namespace {
 
-// m; with bounds nearer to each other than this the nearest points are the answer, otherwise the
-// lower bound is
-constexpr double kCertified = 1e-7;
-// m; nearer than this the difference of the nearest points no longer gives the normal
+// m; bounds that are nearer to each other than this prove the answer
+constexpr double kCertified = 1e-8;
+// m; nearer than this, the difference of the nearest points no longer gives the normal
 constexpr double kTouching = 1e-9;
+// m; in contact no deeper than this every common point is as good as the deepest
+constexpr double kShallow = 1e-7;
 
 SignedDistance grown(const SignedDistance& core, double margin_a, double margin_b) {
   return {core.distance - margin_a - margin_b, core.point_a + margin_a * core.normal,
@@ -51,19 +53,29 @@ std::optional<SignedDistance> closed_form(const PlacedShape& a, const PlacedShap
   return std::nullopt;
 }
 
-/// Both points at half the distance along the normal from the middle between them, so that
-/// point_b - point_a = distance * normal to the last digit.
-SignedDistance about_middle(const CertifiedDistance& found, double distance,
-                            const Eigen::Vector3d& normal) {
-  const Eigen::Vector3d middle = (found.on_a + found.on_b) / 2;
-  return {distance, middle - distance / 2 * normal, middle + distance / 2 * normal, normal};
+bool open(const CertifiedDistance& found) { return !(found.upper - found.lower <= kCertified); }
+
+/// How far the points are from lying opposite each other along the normal.
+double off_normal(const CertifiedDistance& found) {
+  return (found.on_b - found.on_a - found.lower * found.normal).norm();
 }
 
-SignedDistance from_separated(const CertifiedDistance& found) {
-  if (found.upper - found.lower <= kCertified) {
-    return {found.upper, found.on_a, found.on_b, (found.on_b - found.on_a) / found.upper};
-  }
-  return about_middle(found, found.lower, found.normal);
+/// The distance is that of the plane, which is never too large. Both points lie at half of it from
+/// the middle between them, so that point_b - point_a = distance * normal to the last digit.
+SignedDistance about_middle(const CertifiedDistance& found) {
+  const Eigen::Vector3d middle = (found.on_a + found.on_b) / 2;
+  const Eigen::Vector3d half = found.lower / 2 * found.normal;
+  return {found.lower, middle - half, middle + half, found.normal};
+}
+
+/// The points where the cores all but touch once b is moved out along the normal.
+void move_to_contact(const PlacedShape& a, const PlacedShape& b, CertifiedDistance& found) {
+  const Eigen::Vector3d way_out = (kShallow - found.lower) * found.normal;
+  Pose pose = b.pose;
+  pose.translation() += way_out;
+  const CertifiedDistance contact = nearest_points(a, {b.geometry, pose}, found.normal);
+  found.on_a = contact.on_a;
+  found.on_b = contact.on_b - way_out;
 }
 
 SignedDistance between_cores(const PlacedShape& a, const PlacedShape& b) {
@@ -72,9 +84,18 @@ SignedDistance between_cores(const PlacedShape& a, const PlacedShape& b) {
   const Eigen::Vector3d guess =
       length > 0 ? Eigen::Vector3d(offset / length) : Eigen::Vector3d::UnitX();
   const CertifiedDistance apart = nearest_points(a, b, guess);
-  if (apart.upper > kTouching && apart.lower > 0) return from_separated(apart);
-  const CertifiedDistance overlap = penetration(a, b);
-  return about_middle(overlap, overlap.lower, overlap.normal);
+  if (apart.lower > kTouching && !open(apart)) return about_middle(apart);
+
+  CertifiedDistance overlap = penetration(a, b);
+  if (open(overlap)) search_normal(a, b, overlap);
+  if (apart.lower > overlap.lower + kCertified) return about_middle(apart);
+  if (overlap.lower > -kShallow) {
+    // The sides of the polytope may not reach the place of contact, but any common point is near.
+    overlap.on_a = apart.on_a;
+    overlap.on_b = apart.on_b;
+  }
+  if (off_normal(overlap) > kShallow) move_to_contact(a, b, overlap);
+  return about_middle(overlap);
 }
 
 }  // namespace

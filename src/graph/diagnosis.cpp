@@ -61,19 +61,25 @@ Diagnosis diagnose_waypoint(const Robot& robot, const Task& task, std::size_t wa
   return diagnosis;
 }
 
-/// The vertex of the next rung that is nearest to `from` among those within the step limit; -1 if
-/// there is none.
-Eigen::Index nearest_within_limit(const Rung& next, const JointVector& from,
-                                  const JointVector& weight, const JointVector& max_step) {
-  Eigen::Index best = -1;
+/// Moves from the end of the path found to the next rung that can be made in time.
+struct NextMoves {
+  Eigen::Index nearest = -1;
+  double least_stray = std::numeric_limits<double>::infinity();  ///< m
+};
+
+NextMoves next_moves(const Rung& next, const JointVector& from, const EdgeRules& rules,
+                     const MoveChecker& moves, std::size_t interval) {
+  NextMoves found;
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index v = 0; v < next.size(); ++v) {
     const JointVector step = (next.vertex(v) - from).cwiseAbs();
-    if ((step.array() > max_step.array()).any() || step.dot(weight) >= least) continue;
-    least = step.dot(weight);
-    best = v;
+    if ((step.array() > rules.max_step[interval].array()).any()) continue;
+    found.least_stray = std::min(found.least_stray, moves.stray(interval, from, next.vertex(v)));
+    if (step.dot(rules.weight) >= least) continue;
+    least = step.dot(rules.weight);
+    found.nearest = v;
   }
-  return best;
+  return found;
 }
 
 /// The joint that needs the largest share of its step limit for the least such move.
@@ -101,40 +107,47 @@ std::optional<Diagnosis> diagnose_samples(const Robot& robot, const Task& task,
   return std::nullopt;
 }
 
-Diagnosis diagnose_moves(const Robot& robot, const Task& task, const SampledPath& sampled,
-                         const EdgeRules& rules, const LadderPath& path,
+Diagnosis diagnose_moves(const Task& task, const SampledPath& sampled, const EdgeRules& rules,
+                         const LadderPath& path, const MoveChecker& moves,
                          const std::shared_ptr<const ClearanceModel>& clearance,
                          double clearance_epsilon) {
   const std::size_t last = path.vertices.size() - 1;
   const JointVector from = sampled.rungs[last].vertex(path.vertices.back());
   const Rung& next = sampled.rungs[last + 1];
-  const std::string where =
-      fmt::format("waypoint {} ({:.4g} s): ", last + 1, task.waypoints[last + 1].time);
+  const NextMoves found = next_moves(next, from, rules, moves, last);
   Diagnosis diagnosis;
   diagnosis.waypoint = last + 1;
-  const Eigen::Index v = nearest_within_limit(next, from, rules.weight, rules.max_step[last]);
-  if (v < 0) {
+  diagnosis.detail =
+      fmt::format("waypoint {} ({:.4g} s): ", last + 1, task.waypoints[last + 1].time);
+  if (found.nearest < 0) {
     const auto [joint, ratio] = slowest_joint(next, from, rules.max_step[last]);
     diagnosis.reason = "no_edge";
-    diagnosis.detail = fmt::format(
-        "{}no posture can be reached in time from waypoint {}; the least demanding one needs "
-        "{:.2f} "
+    diagnosis.detail += fmt::format(
+        "no posture can be reached in time from waypoint {}; the least demanding one needs {:.2f} "
         "times the speed of {}",
-        where, last, ratio, joint_name(robot, joint));
+        last, ratio, joint_name(clearance->robot(), joint));
     diagnosis.suggestion = "weld slower, sample finer, or widen the tolerance";
     return diagnosis;
   }
   ClearanceChecker checker(clearance);
-  const SweptClearance swept = check_motion(checker, StraightMove(from, next.vertex(v)),
+  const SweptClearance swept = check_motion(checker, StraightMove(from, next.vertex(found.nearest)),
                                             clearance->clearance(), clearance_epsilon);
-  diagnosis.reason = "collision";
-  diagnosis.detail = fmt::format("{}every move from waypoint {} is blocked", where, last);
   if (!swept.clear) {
     const auto names = clearance->names(swept.pair);
-    diagnosis.detail += fmt::format(", the nearest by {} - {}", names.first, names.second);
+    diagnosis.reason = "collision";
+    diagnosis.detail +=
+        fmt::format("every move from waypoint {} is blocked, the nearest by {} - {}", last,
+                    names.first, names.second);
+    diagnosis.suggestion =
+        "widen the tolerance so that the torch can pass, lower scene.clearance, "
+        "or move the obstacle";
+    return diagnosis;
   }
-  diagnosis.suggestion =
-      "widen the tolerance so that the torch can pass, lower scene.clearance, or move the obstacle";
+  diagnosis.reason = "no_edge";
+  diagnosis.detail +=
+      fmt::format("every move from waypoint {} swings the TCP off the seam, by {:.1f} mm or more",
+                  last, found.least_stray * 1e3);
+  diagnosis.suggestion = "sample finer, use more waypoints, or raise graph.max_stray";
   return diagnosis;
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "graph/move_checker.hpp"
 #include "graph/path_sampling.hpp"
 #include "wristwise/plan.hpp"
 
@@ -12,8 +13,8 @@ std::optional<Diagnosis> diagnose_samples(const Robot& robot, const Task& task,
                                           const SampledPath& sampled);
 
 /// Why no move leads on from the last rung that could be reached.
-Diagnosis diagnose_moves(const Robot& robot, const Task& task, const SampledPath& sampled,
-                         const EdgeRules& rules, const LadderPath& path,
+Diagnosis diagnose_moves(const Task& task, const SampledPath& sampled, const EdgeRules& rules,
+                         const LadderPath& path, const MoveChecker& moves,
                          const std::shared_ptr<const ClearanceModel>& clearance,
                          double clearance_epsilon);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -14,6 +15,11 @@ namespace wristwise {
 struct Rung {
   Eigen::ArrayXXd positions;  ///< vertices x joints
   Eigen::ArrayXd cost;
+  /// For each vertex, the first one that differs from it by whole turns of joints only, and a
+  /// number for those turns such that equal differences of numbers mean equal differences of turns.
+  /// Such vertices follow each other. Both empty: no two vertices are the same but for turns.
+  std::vector<Eigen::Index> first_copy;
+  std::vector<std::int64_t> turn_code;
 
   Eigen::Index size() const { return positions.rows(); }
   JointVector vertex(Eigen::Index index) const { return positions.row(index).transpose(); }
@@ -26,6 +32,7 @@ struct EdgeRules {
   std::vector<JointVector> max_step;  ///< for each interval, the largest step of each joint
   /// Whether the move is clear; asked only for edges that matter. Empty: every move is.
   /// Called from several threads, with a worker index below the number of threads.
+  /// Turning a joint of both ends by whole turns must not change the answer.
   std::function<bool(int worker, std::size_t interval, const JointVector& from,
                      const JointVector& to)>
       is_clear;

@@ -23,6 +23,8 @@ class WaypointSampler {
   Rung sample(const Waypoint& waypoint, SampleCounts& counts) {
     postures_.clear();
     costs_.clear();
+    first_copies_.clear();
+    turn_codes_.clear();
     if (waypoint.joints) {
       counts.samples = 1;
       add_joint_waypoint(*waypoint.joints, counts);
@@ -44,7 +46,9 @@ class WaypointSampler {
         return;
       }
     }
-    if (is_clear(q, counts)) add(q, 0);
+    if (!is_clear(q, counts)) return;
+    copies_ = {q};
+    add_copies(0);
   }
 
   void add_pose_sample(const Waypoint& waypoint, const Vector6& e, SampleCounts& counts) {
@@ -62,7 +66,7 @@ class WaypointSampler {
         continue;
       }
       if (!is_clear(copies_.front(), counts)) continue;  // turns do not move the robot's bodies
-      for (const JointVector& q : copies_) add(q, cost);
+      add_copies(cost);
     }
   }
 
@@ -83,9 +87,26 @@ class WaypointSampler {
     return !hit;
   }
 
-  void add(const JointVector& q, double cost) {
+  void add_copies(double cost) {
+    const auto first = static_cast<Eigen::Index>(postures_.size());
+    for (const JointVector& q : copies_) add(q, cost, first);
+  }
+
+  void add(const JointVector& q, double cost, Eigen::Index first_copy) {
     postures_.push_back(q);
     costs_.push_back(cost);
+    first_copies_.push_back(first_copy);
+    turn_codes_.push_back(turn_code(postures_[static_cast<std::size_t>(first_copy)], q));
+  }
+
+  /// The turns from one posture to another, a digit of base 64 for each joint.
+  static std::int64_t turn_code(const JointVector& from, const JointVector& to) {
+    constexpr double kTurn = 6.283185307179586;
+    std::int64_t code = 0;
+    for (Eigen::Index j = 0; j < from.size(); ++j) {
+      code = 64 * code + static_cast<std::int64_t>(std::lround((to[j] - from[j]) / kTurn));
+    }
+    return code;
   }
 
   Rung make_rung() const {
@@ -96,6 +117,8 @@ class WaypointSampler {
       rung.positions.row(i) = postures_[static_cast<std::size_t>(i)].transpose().array();
     }
     rung.cost = Eigen::Map<const Eigen::ArrayXd>(costs_.data(), count);
+    rung.first_copy = first_copies_;
+    rung.turn_code = turn_codes_;
     return rung;
   }
 
@@ -106,6 +129,8 @@ class WaypointSampler {
   const GraphOptions& options_;
   std::vector<JointVector> branches_, copies_, postures_;
   std::vector<double> costs_;
+  std::vector<Eigen::Index> first_copies_;
+  std::vector<std::int64_t> turn_codes_;
 };
 
 }  // namespace

@@ -20,6 +20,14 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
+/// A count that may not fit an integer.
+Json count(double value) {
+  constexpr double kLargest = 9007199254740992.0;  // 2^53: beyond it doubles skip integers
+  if (value >= 0 && value < kLargest && value == std::floor(value))
+    return static_cast<std::int64_t>(value);
+  return number(value);
+}
+
 Json joint_name(const Problem& problem, int joint) {
   if (!problem.robot || joint < 0 || joint >= problem.robot->joint_count()) return nullptr;
   return problem.robot->joints()[static_cast<std::size_t>(joint)].name;
@@ -51,8 +59,8 @@ Json timing(const Timing& timing) {
 
 Json graph(const GraphStatistics& graph) {
   return {{"vertices", graph.vertices},
-          {"edges", number(graph.edges)},
-          {"edges_evaluated", number(graph.edges_evaluated)},
+          {"edges", count(graph.edges)},
+          {"edges_evaluated", count(graph.edges_evaluated)},
           {"collision_checks", graph.collision_checks},
           {"cost", number(graph.cost)},
           {"joint_motion_l1", number(graph.joint_motion_l1)},

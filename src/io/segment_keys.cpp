@@ -11,8 +11,8 @@ const std::vector<std::string> kKinds = {"line", "arc", "poses", "joints"};
 
 LineSegment read_line(const ConfigReader& reader, const Pose& part) {
   reader.expect_keys({"from", "to"});
-  const LineSegment line{part * read_pose(reader.at("from"), true),
-                         part * read_pose(reader.at("to"), true)};
+  LineSegment line{part * read_pose(reader.at("from"), true),
+                   part * read_pose(reader.at("to"), true)};
   if ((line.to.translation() - line.from.translation()).norm() < 1e-9)
     reader.at("to").at("xyz").fail("repeated waypoint, `to` is at the place of `from`",
                                    "another place");

@@ -42,7 +42,7 @@ class Converter {
   void add_entry(const YAML::Node& key, const YAML::Node& value, int depth, ConfigNode& node) {
     const int line = key.Mark().line + 1;
     if (!key.IsScalar()) throw InvalidInput(place(line), "a key that is no word");
-    const std::string name = key.Scalar();
+    const std::string& name = key.Scalar();
     const bool given = std::any_of(node.entries.begin(), node.entries.end(),
                                    [&](const auto& entry) { return entry.first == name; });
     if (given) throw InvalidInput(place(line), "the key '" + name + "' is given twice");

@@ -31,7 +31,8 @@ CalibratedArm::CalibratedArm(std::shared_ptr<const Robot> robot, const Spherical
   misfit_ = 3 * (position_misfit / shortest + angle_misfit);
   margin_.length = std::max(3 * position_misfit + reach * angle_misfit, 1e-12);
   margin_.angle = std::max(misfit_, 1e-12);
-  margin_.separation = std::sqrt(misfit_);
+  margin_.arm_separation = std::sqrt(misfit_) / 4;
+  margin_.wrist_separation = 5 * misfit_;
   margin_.wrist_starts = kWristStarts;
 }
 

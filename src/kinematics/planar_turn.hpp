@@ -55,12 +55,13 @@ class HalfAngle {
   /// The same, with the whole angle kept in [separation, pi - separation].
   HalfAngle kept_off_ends(double separation) const {
     if (!(separation > 0)) return *this;
-    const double half =
-        std::clamp(std::atan2(sine, cosine), separation / 2, std::atan2(1.0, 0.0) - separation / 2);
-    return {std::sin(half), std::cos(half)};
+    const double half = std::atan2(sine, cosine);
+    const double least = separation / 2;
+    const double most = std::atan2(1.0, 0.0) - least;
+    if (half >= least && half <= most) return *this;
+    return {std::sin(std::clamp(half, least, most)), std::cos(std::clamp(half, least, most))};
   }
 
-  double whole() const { return 2 * std::atan2(sine, cosine); }
   PlanarTurn whole_turn() const { return {(cosine - sine) * (cosine + sine), 2 * sine * cosine}; }
 
   double sine = 0;

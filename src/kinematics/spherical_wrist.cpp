@@ -138,7 +138,7 @@ void SphericalWrist::solve(const Pose& tcp, const WorkspaceMargin& margin,
   };
   if (radius < kNoDirection) return at({});
   const HalfAngle half =
-      HalfAngle::from_squares(radius - along, radius + along).kept_off_ends(margin.separation);
+      HalfAngle::from_squares(radius - along, radius + along).kept_off_ends(margin.arm_separation);
   const PlanarTurn azimuth = PlanarTurn::onto(wrist.x(), wrist.y());
   at(azimuth * half.whole_turn());
   if (is_double_root(std::min(half.sine, half.cosine))) return;
@@ -157,7 +157,7 @@ void SphericalWrist::solve_elbow(const ToolPose& tool, double q1, const Workspac
 
   const HalfAngle half = HalfAngle::from_squares((longest - distance) * (longest + distance),
                                                  (distance - shortest) * (distance + shortest))
-                             .kept_off_ends(margin.separation);
+                             .kept_off_ends(margin.arm_separation);
   const bool folded_away = distance < kNoDirection;
   const auto bent = [&](const PlanarTurn& bend) {
     const PlanarTurn turn_2 =
@@ -190,10 +190,9 @@ void SphericalWrist::solve_wrist(const Eigen::Vector3d& axis_6, const Eigen::Vec
   const HalfAngle exact =
       HalfAngle::from_squares((a.sine * least.cosine + a.cosine * least.sine) * above_least,
                               (most.sine * a.cosine + most.cosine * a.sine) * below_most);
-  const HalfAngle half = exact.kept_off_ends(margin.separation);
+  const HalfAngle half = exact.kept_off_ends(margin.wrist_separation);
   const bool singular = sine < kNoDirection;
-  const PlanarTurn direction =
-      singular ? PlanarTurn{} : PlanarTurn::onto(axis_6.x(), axis_6.y());
+  const PlanarTurn direction = singular ? PlanarTurn{} : PlanarTurn::onto(axis_6.x(), axis_6.y());
   const auto bent = [&](const PlanarTurn& psi, const PlanarTurn& spread) {
     const double x = wrist_.sine_difference + 2 * wrist_.cosine_1_sine_2 * half.sine * half.sine;
     const PlanarTurn turn_4 =

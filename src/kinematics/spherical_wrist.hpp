@@ -20,9 +20,10 @@ struct SixAxes {
 struct WorkspaceMargin {
   double length = 1e-12;  ///< m
   double angle = 1e-12;   ///< rad
-  /// rad: solutions nearer to a double root of shoulder, elbow or wrist than this are moved away
-  /// from it. Zero where exact solutions are wanted.
-  double separation = 0;
+  /// rad: solutions nearer to a double root of shoulder or elbow, or to a straight wrist, than this
+  /// are moved away from it. Zero where exact solutions are wanted.
+  double arm_separation = 0;
+  double wrist_separation = 0;
   /// Postures given for a wrist that was moved away, with joint 4 spread over a whole turn.
   int wrist_starts = 1;
 };

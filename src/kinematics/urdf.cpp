@@ -23,7 +23,7 @@ namespace {
 
 urdf::LinkConstSharedPtr find_link(const urdf::ModelInterface& model, const std::string& name,
                                    const std::string& where) {
-  if (const auto link = model.getLink(name)) return link;
+  if (urdf::LinkConstSharedPtr link = model.getLink(name)) return link;
   std::vector<std::string> names;
   for (const auto& entry : model.links_) names.push_back(entry.first);
   throw InvalidInput(where, "no link '" + name + "'",

@@ -64,7 +64,7 @@ Eigen::Vector3d vector_from_urdf(const urdf::Vector3& v) { return {v.x, v.y, v.z
 
 Eigen::Vector3d checked_size(const urdf::Vector3& size, const std::string& where,
                              const std::string& what) {
-  const Eigen::Vector3d v = vector_from_urdf(size);
+  Eigen::Vector3d v = vector_from_urdf(size);
   for (const double length : v) require_positive(length, where, what);
   return v;
 }

@@ -100,6 +100,25 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& xml, const ParserLog& log
   return model;
 }
 
+/// urdfdom leaves out a collision element that it cannot read; a robot without it would look clear.
+void require_all_collisions(const TiXmlElement& robot, const urdf::ModelInterface& model,
+                            const ParserLog& log, const std::string& where) {
+  for (const TiXmlElement* link = robot.FirstChildElement("link"); link != nullptr;
+       link = link->NextSiblingElement("link")) {
+    std::size_t count = 0;
+    for (const TiXmlElement* shape = link->FirstChildElement("collision"); shape != nullptr;
+         shape = shape->NextSiblingElement("collision")) {
+      ++count;
+    }
+    const char* name = link->Attribute("name");
+    const auto parsed = name == nullptr ? nullptr : model.getLink(name);
+    if (!parsed || parsed->collision_array.size() != count) {
+      throw InvalidInput(where, log.joined(),
+                         "collision elements of box, cylinder, sphere or mesh");
+    }
+  }
+}
+
 }  // namespace
 
 UrdfDocument read_urdf(const std::filesystem::path& file) {
@@ -114,6 +133,7 @@ UrdfDocument read_urdf(const std::filesystem::path& file) {
   document.Accept(&printer);
   const ParserLog log;
   result.model = parse(printer.Str(), log, file.string());
+  require_all_collisions(*robot, *result.model, log, file.string());
   result.warnings = log.messages();
   return result;
 }

@@ -64,6 +64,9 @@ void set_position_limits(Joint& joint, const urdf::Joint& source, bool declared,
     throw InvalidInput(where, "has no position limits",
                        "<limit lower= upper=> or has_position_limits in the limits file");
   }
+  if (joint.lower > joint.upper) {
+    throw InvalidInput(where, "its lower position limit exceeds its upper one", "lower <= upper");
+  }
 }
 
 void set_velocity_limit(Joint& joint, const urdf::Joint& source, bool declared,

@@ -1,6 +1,7 @@
 #include "refine/refinement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,19 +13,23 @@ namespace wristwise {
 
 namespace {
 
-constexpr double kStartShare = 0.05;   ///< first mu, as a share of the seed's mean objective
+/// First mu, as a share of the seed's objective. A soft start lets the path leave the seam for a
+/// while, and finds its way out of a spiky seed; a stiff one stays close to the seed.
+constexpr std::array<double, 3> kStartShares = {0.05, 5, 500};
 constexpr double kGrowth = 10;         ///< of mu in a round that gains too little
-constexpr double kMuRange = 1e9;       ///< last mu / first mu
+constexpr double kMuRange = 1e9;       ///< largest mu / first mu
+constexpr double kStiff = 1e3;         ///< mu / first mu from which a stall means too few knots
 constexpr double kBand = 0.02;         ///< m; pairs that are nearer than this get a constraint
 constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
 constexpr int kSamplesBetween = 10;
-constexpr int kStalledRounds = 3;
-constexpr int kFewestSpans = 8;
+constexpr int kStalledRounds = 2;
+constexpr int kFewestSpans = 100;
 constexpr double kSettled = 1e-5;  ///< relative change of the objective between rounds
 
-class Refinement {
+/// One run of the augmented Lagrangian from a seed.
+class Attempt {
  public:
-  Refinement(const RefinementInput& input, const JointPath& seed)
+  Attempt(const RefinementInput& input, const JointPath& seed, double start_share)
       : input_(input),
         weights_(
             objective_weights(input.cost, input.options.smoothing_time, input.robot.joint_count())),
@@ -32,10 +37,9 @@ class Refinement {
         required_(input.clearance->clearance() + input.options.clearance_epsilon),
         spacing_(first_spacing(seed)),
         spline_(fit_spline(seed, choose_breakpoints(seed.times, spacing_))) {
-    const ObjectiveTerms initial = objective_terms(weights_, input.robot, input.task, seed);
-    initial_ = initial;
+    initial_ = objective_terms(weights_, input.robot, input.task, seed);
     const double duration = seed.times.back() - seed.times.front();
-    first_mu_ = kStartShare * std::max(initial.total(), 1e-3 / duration);
+    first_mu_ = start_share * std::max(initial_.total(), 1e-3 / duration);
     mu_ = first_mu_;
     for (const Waypoint& waypoint : input.task.waypoints) {
       points_.push_back(constraint_at_waypoint(waypoint, spline_.basis));
@@ -64,17 +68,16 @@ class Refinement {
         continue;
       }
       update_multipliers();
-      if (violation > input_.options.constraint_tolerance && violation > 0.5 * best_violation) {
-        if (++stalled >= kStalledRounds && mu_ > 1e3 * first_mu_) {
-          if (!refine_knots()) return finish(false, "the constraints can't be met together");
-          stalled = 0;
-          best_violation = INFINITY;
-          continue;
-        }
-      } else {
+      if (violation <= input_.options.constraint_tolerance) continue;
+      stalled = violation > 0.5 * best_violation ? stalled + 1 : 0;
+      const bool exhausted = mu_ >= kMuRange * first_mu_;
+      if (exhausted || (stalled >= kStalledRounds && mu_ > kStiff * first_mu_)) {
+        if (!refine_knots()) return finish(false, "the constraints can't be met together");
         stalled = 0;
+        best_violation = INFINITY;
+        continue;
       }
-      if (violation > 0.1 * best_violation) mu_ = std::min(mu_ * kGrowth, first_mu_ * kMuRange);
+      if (violation > 0.1 * best_violation) mu_ *= kGrowth;
       best_violation = std::min(best_violation, violation);
     }
     return finish(false, "round limit");
@@ -83,10 +86,9 @@ class Refinement {
  private:
   double first_spacing(const JointPath& seed) const {
     const RefineOptions& options = input_.options;
+    if (options.knot_spacing > 0) return options.knot_spacing;
     const double duration = seed.times.back() - seed.times.front();
-    const double wanted =
-        options.knot_spacing > 0 ? options.knot_spacing : 0.4 * options.smoothing_time;
-    return std::min(wanted, duration / kFewestSpans);
+    return std::min(0.4 * options.smoothing_time, duration / kFewestSpans);
   }
 
   void prepare_basis() {
@@ -214,10 +216,35 @@ class Refinement {
   RefineStatistics statistics_;
 };
 
+bool is_better(const Refined& a, const Refined& b) {
+  if (a.feasible != b.feasible) return a.feasible;
+  return a.feasible ? a.statistics.objective < b.statistics.objective
+                    : a.statistics.max_violation < b.statistics.max_violation;
+}
+
+double initial_objective(const Refined& refined) {
+  double sum = 0;
+  for (const CostTerm& term : refined.statistics.terms) sum += term.initial;
+  return sum;
+}
+
 }  // namespace
 
 Refined refine(const RefinementInput& input, const JointPath& seed) {
-  return Refinement(input, seed).run();
+  Refined best;
+  int iterations = 0, evaluations = 0, rounds = 0;
+  for (const double share : kStartShares) {
+    Refined attempt = Attempt(input, seed, share).run();
+    iterations += attempt.statistics.iterations;
+    evaluations += attempt.statistics.evaluations;
+    rounds += attempt.statistics.rounds;
+    if (best.trajectory.empty() || is_better(attempt, best)) best = std::move(attempt);
+    if (best.feasible && best.statistics.objective <= initial_objective(best)) break;
+  }
+  best.statistics.iterations = iterations;
+  best.statistics.evaluations = evaluations;
+  best.statistics.rounds = rounds;
+  return best;
 }
 
 }  // namespace wristwise

@@ -142,12 +142,14 @@ Spline fit_spline(const JointPath& path, std::vector<double> breakpoints) {
     right.middleRows<SplineBasis::kLocal>(values.first) +=
         values.derivatives.col(0) * path.positions[i].transpose();
   }
-  // Jerk is made comparable with position by the sixth power of the mean span.
+  // Derivatives are made comparable with positions by powers of the mean span.
   const double duration = path.times.back() - path.times.front();
   const double span = duration / basis.span_count();
-  const double trace = 1e-7 * std::pow(span, 6) * static_cast<double>(path.size()) / duration;
+  const double trace = 1e-9 * static_cast<double>(path.size()) / duration;
   for (const QuadraturePoint& point : gauss_points(basis.breakpoints())) {
-    add(basis.at(point.time), 3, trace * point.weight);
+    const SplineBasis::Values values = basis.at(point.time);
+    add(values, 2, trace * std::pow(span, 4) * point.weight);
+    add(values, 3, trace * std::pow(span, 6) * point.weight);
   }
   Eigen::SparseMatrix<double> matrix(count, count);
   matrix.setFromTriplets(gram.begin(), gram.end());

@@ -54,7 +54,8 @@ struct Spline {
 /// the first and the last time are kept.
 std::vector<double> choose_breakpoints(const std::vector<double>& times, double spacing);
 
-/// Least-squares fit to a path; a trace of jerk settles what the path leaves open.
+/// Least-squares fit to a path; a trace of acceleration and jerk settles what the
+/// path leaves open.
 Spline fit_spline(const JointPath& path, std::vector<double> breakpoints);
 
 }  // namespace wristwise

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Installs what wristwise needs on Debian 12, configures and builds it in build/.
+#   ./bootstrap.sh          the program and the library
+#   ./bootstrap.sh tests    the tests as well
+set -euo pipefail
+cd "$(dirname "$0")"
+
+packages=(build-essential cmake ninja-build libeigen3-dev libceres-dev libnlopt-cxx-dev libfcl-dev
+  liburdfdom-dev libtinyxml-dev libassimp-dev libqhull-dev libyaml-cpp-dev nlohmann-json3-dev
+  libcli11-dev libfmt-dev)
+with_tests=OFF
+targets=(wristwise_app)
+if [ "${1:-}" = tests ]; then
+  packages+=(libgtest-dev libbullet-dev libbenchmark-dev)
+  with_tests=ON
+  targets=(all)
+fi
+
+if ! dpkg-query -W -f '${Status}\n' "${packages[@]}" 2>/dev/null | grep -vq 'install ok installed' &&
+  dpkg-query -W "${packages[@]}" >/dev/null 2>&1; then
+  echo "Debian packages: all there"
+else
+  as_root=()
+  [ "$(id -u)" = 0 ] || as_root=(sudo)
+  export DEBIAN_FRONTEND=noninteractive
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
+fi
+
+cmake -S . -B build -G Ninja -DWRISTWISE_BUILD_TESTS=$with_tests
+cmake --build build --target "${targets[@]}"

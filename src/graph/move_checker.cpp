@@ -1,0 +1,84 @@
+#include "graph/move_checker.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "wristwise/swept_clearance.hpp"
+
+namespace wristwise {
+
+namespace {
+
+constexpr std::array<double, 3> kStraySamples = {0.25, 0.5, 0.75};
+
+}  // namespace
+
+MoveChecker::MoveChecker(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
+                         double max_stray, double epsilon, int threads)
+    : robot_(clearance->robot()),
+      max_stray_(max_stray),
+      required_(clearance->clearance()),
+      epsilon_(epsilon) {
+  for (int i = 0; i < threads; ++i) workers_.push_back({ClearanceChecker(clearance)});
+  for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
+    stretches_.push_back(stretch(task, i));
+  }
+}
+
+MoveChecker::Stretch MoveChecker::stretch(const Task& task, std::size_t interval) {
+  const auto tolerance = task.tolerance_between(interval);
+  if (!tolerance) return {};
+  Stretch stretch{*tolerance, {}};
+  const double t0 = task.waypoints[interval].time, t1 = task.waypoints[interval + 1].time;
+  for (const double s : kStraySamples) {
+    stretch.frames.push_back(task.seam.frame_at(t0 + s * (t1 - t0)));
+  }
+  return stretch;
+}
+
+bool MoveChecker::is_clear(int worker, std::size_t interval, const JointVector& from,
+                           const JointVector& to) {
+  if (stray(interval, from, to) > max_stray_) return false;
+  Worker& own = workers_[static_cast<std::size_t>(worker)];
+  if (own.checker.model().pairs().empty()) return true;
+  if (is_blocked_as_before(own, from, to)) return false;
+  const SweptClearance swept =
+      check_motion(own.checker, StraightMove(from, to), required_, epsilon_);
+  if (!swept.clear) {
+    own.pair = swept.pair;
+    own.s = swept.s;
+  }
+  return swept.clear;
+}
+
+double MoveChecker::stray(std::size_t interval, const JointVector& from,
+                          const JointVector& to) const {
+  double largest = 0;
+  const Stretch& stretch = stretches_[interval];
+  for (std::size_t k = 0; k < stretch.frames.size(); ++k) {
+    const Pose tcp = tcp_pose(robot_, from + kStraySamples[k] * (to - from));
+    const Vector6 e = deviation(stretch.tolerance, stretch.frames[k], tcp);
+    largest = std::max(largest, box_excess(stretch.tolerance, e).head<3>().norm());
+  }
+  return largest;
+}
+
+/// Moves between the same two waypoints are mostly blocked by the same pair at about the same
+/// place. A distance below required - epsilon rules out that check_motion could show the move to be
+/// clear, so this is a short cut to the same answer.
+bool MoveChecker::is_blocked_as_before(Worker& worker, const JointVector& from,
+                                       const JointVector& to) const {
+  if (worker.pair < 0) return false;
+  worker.checker.set_posture(from + worker.s * (to - from));
+  const double limit = required_ - epsilon_;
+  return worker.checker.lower_bound(worker.pair) < limit &&
+         worker.checker.distance(worker.pair).distance < limit;
+}
+
+std::size_t MoveChecker::queries() const {
+  std::size_t sum = 0;
+  for (const Worker& worker : workers_) sum += worker.checker.queries();
+  return sum;
+}
+
+}  // namespace wristwise

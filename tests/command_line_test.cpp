@@ -1,0 +1,251 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "run_program.hpp"
+#include "temporary_folder.hpp"
+#include "wristwise/trajectory_file.hpp"
+
+namespace wristwise {
+namespace {
+
+using Json = nlohmann::json;
+using test::file_text;
+using test::ProgramRun;
+using test::replaced;
+using test::run_program;
+using test::TemporaryFolder;
+
+const std::string kRobotFolder = std::string(WRISTWISE_SOURCE_DIR) + "/robots/kuka_kr5_arc/";
+
+const std::string kProblem = "robot:\n  urdf: " + kRobotFolder +
+                             "kuka_kr5_arc.urdf\n"
+                             "  base_link: base_link\n"
+                             "  tip_link: tool0\n"
+                             "  limits: " +
+                             kRobotFolder +
+                             "joint_limits.yaml\n"
+                             "scene: {collision: off}\n"
+                             "path:\n"
+                             "  speed: 0.01\n"
+                             "  waypoints: 9\n"
+                             "  segments:\n"
+                             "    - line:\n"
+                             "        from: {xyz: [0.9, -0.02, 0.5], rpy: [0, 180 deg, 0]}\n"
+                             "        to: {xyz: [0.9, 0.02, 0.5], rpy: [0, 180 deg, 0]}\n"
+                             "  tolerance: {rz: free}\n"
+                             "graph: {samples: {rz: 30 deg}}\n";
+
+class CommandLine : public testing::Test {
+ protected:
+  void write(const std::string& text) { folder_.write("p.yaml", text); }
+
+  ProgramRun run(const std::vector<std::string>& arguments) {
+    return run_program(folder_.path(), arguments);
+  }
+
+  Json result(const std::string& folder) {
+    return Json::parse(file_text(folder_.path() / folder / "result.json"));
+  }
+
+  std::size_t entries() const {
+    return static_cast<std::size_t>(
+        std::distance(std::filesystem::directory_iterator(folder_.path()), {}));
+  }
+
+  /// Exit status 2, one line on stderr that names `parts`, and nothing written.
+  void expect_invalid(const std::vector<std::string>& arguments,
+                      const std::vector<std::string>& parts) {
+    const std::size_t before = entries();
+    const ProgramRun outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    for (const std::string& part : parts)
+      EXPECT_NE(outcome.err.find(part), std::string::npos) << part << "\n" << outcome.err;
+    EXPECT_EQ(entries(), before) << "something was written";
+  }
+
+  void expect_invalid_problem(const std::string& old_part, const std::string& new_part,
+                              const std::vector<std::string>& parts) {
+    write(replaced(kProblem, old_part, new_part));
+    expect_invalid({"plan", "p.yaml"}, parts);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(CommandLine, MistakesInTheProblemAreInvalidInput) {
+  expect_invalid_problem("speed", "sped", {"p.yaml:8", "path.sped", "'speed'"});
+  expect_invalid_problem("speed: 0.01", "speed: 0", {"p.yaml:8", "path.speed"});
+  expect_invalid_problem("speed: 0.01", "speed: -1", {"p.yaml:8", "path.speed"});
+  expect_invalid_problem("speed: 0.01", "speed: .nan", {"p.yaml:8", "path.speed"});
+  expect_invalid_problem("speed: 0.01", "speed: 10 deg", {"p.yaml:8", "path.speed", "angle"});
+  expect_invalid_problem("waypoints: 9", "waypoints: 1", {"p.yaml:9", "path.waypoints"});
+  expect_invalid_problem("rz: free", "rx: [2 deg, 1 deg]", {"p.yaml:14", "path.tolerance.rx"});
+  expect_invalid_problem("[0.9, 0.02, 0.5]", "[0.9, -0.02, 0.5]",
+                         {"p.yaml:13", "path.segments[0].line.to", "repeated waypoint"});
+  expect_invalid_problem("[0.9, 0.02, 0.5]", "[0.9, .nan, 0.5]",
+                         {"p.yaml:13", "path.segments[0].line.to.xyz"});
+  expect_invalid_problem("kuka_kr5_arc.urdf", "none.urdf", {"p.yaml:2", "robot.urdf"});
+  expect_invalid_problem("tip_link: tool0", "tip_link: tool9", {"tool9", "'tool0'"});
+  expect_invalid_problem("base_link: base_link", "base_link: link_6\n  tool: {}", {"link_6"});
+  expect_invalid_problem("collision: off", "objects: [{name: a, mesh: none.stl}]",
+                         {"p.yaml:6", "scene.objects[0].mesh", "none.stl"});
+}
+
+TEST_F(CommandLine, EmptySeam) {
+  write("robot: {urdf: " + kRobotFolder + "kuka_kr5_arc.urdf}\npath: {speed: 1, segments: []}\n");
+  expect_invalid({"plan", "p.yaml"}, {"p.yaml:2", "path.segments"});
+}
+
+TEST_F(CommandLine, JointWithoutLimits) {
+  folder_.write("r.urdf",
+                "<robot name='r'><link name='a'/><link name='b'/><joint name='lone' "
+                "type='revolute'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/></joint>"
+                "</robot>");
+  write(replaced(replaced(replaced(kProblem, kRobotFolder + "kuka_kr5_arc.urdf", "r.urdf"),
+                          "base_link: base_link", "base_link: a"),
+                 "tip_link: tool0", "tip_link: b"));
+  expect_invalid({"plan", "p.yaml"}, {"r.urdf", "lone"});
+}
+
+TEST_F(CommandLine, MistakesInTheArgumentsAreInvalidInput) {
+  write(kProblem);
+  expect_invalid({}, {"subcommand"});
+  expect_invalid({"plna", "p.yaml"}, {"'plna'", "'plan'"});
+  expect_invalid({"plan"}, {"PROBLEM"});
+  expect_invalid({"plan", "none.yaml"}, {"none.yaml", "no such file"});
+  expect_invalid({"plan", "p.yaml", "--mod", "graph-only"}, {"--mod"});
+  expect_invalid({"plan", "p.yaml", "--mode", "fast"}, {"--mode", "fast"});
+  expect_invalid({"plan", "p.yaml", "--threads", "-1"}, {"--threads"});
+  expect_invalid({"plan", "p.yaml", "--out", "p.yaml/deep"}, {"--out", "p.yaml"});
+  expect_invalid({"check", "p.yaml", "none.csv"}, {"none.csv"});
+  expect_invalid({"smooth", "p.yaml", "--joints", "none.csv"}, {"none.csv"});
+  expect_invalid({"info", "none.urdf"}, {"none.urdf"});
+  expect_invalid({"info", "p.yaml"}, {"p.yaml"});
+}
+
+TEST_F(CommandLine, TrajectoriesThatDoNotFitAreInvalidInput) {
+  write(kProblem);
+  folder_.write("t.csv", "time,joint_a1\n0,0\n1,0\n");
+  expect_invalid({"check", "p.yaml", "t.csv"}, {"t.csv:1", "joint_a2"});
+  folder_.write("t.csv",
+                "time,joint_a1,joint_a2,joint_a3,joint_a4,joint_a5,joint_a6\n0,0,0,0,0,0,0\n"
+                "9,0,0,0,0,0,0\n");
+  expect_invalid({"smooth", "p.yaml", "--joints", "t.csv"}, {"9"});
+}
+
+TEST_F(CommandLine, HelpIsNoError) {
+  for (const char* command : {"plan", "smooth", "check", "compare", "info"}) {
+    const ProgramRun outcome = run({command, "--help"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out.find("--threads"), std::string::npos);
+  }
+}
+
+TEST_F(CommandLine, InfoShowsChainAndInverseKinematics) {
+  const ProgramRun outcome = run({"info", kRobotFolder + "kuka_kr5_arc.urdf"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* part : {"joint_a1", "joint_a6", "6 joints", "inverse kinematics", "torch"})
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << outcome.out;
+}
+
+TEST_F(CommandLine, PlansInBothModesAndChecksItsOwnOutput) {
+  write(kProblem);
+  for (const std::string mode : {"two-stage", "graph-only"}) {
+    const ProgramRun planned = run({"plan", "p.yaml", "--mode", mode, "--out", mode, "--quiet"});
+    ASSERT_EQ(planned.exit_code, 0) << planned.out << planned.err;
+    EXPECT_EQ(planned.err, "");
+    EXPECT_EQ(result(mode)["status"], "solved");
+    EXPECT_EQ(result(mode)["mode"], mode);
+    EXPECT_EQ(result(mode)["waypoints"], 9);
+    EXPECT_TRUE(result(mode)["verification"]["passed"]);
+    EXPECT_EQ(std::filesystem::exists(folder_.path() / mode / "trajectory_dense.csv"),
+              mode == "two-stage");
+    const ProgramRun checked = run({"check", "p.yaml", mode + "/trajectory.csv"});
+    EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
+    const ProgramRun json = run({"--quiet", "check", "p.yaml", mode + "/trajectory.csv", "--json"});
+    EXPECT_EQ(json.exit_code, 0);
+    EXPECT_TRUE(Json::parse(json.out)["passed"]);
+  }
+}
+
+TEST_F(CommandLine, FewWaypointsAreEnough) {
+  for (const std::string count : {"2", "3", "4"}) {
+    write(replaced(kProblem, "waypoints: 9", "waypoints: " + count));
+    const ProgramRun planned = run({"plan", "p.yaml"});
+    EXPECT_EQ(planned.exit_code, 0) << planned.out;
+  }
+}
+
+TEST_F(CommandLine, TamperedOutputDoesNotPass) {
+  write(kProblem);
+  ASSERT_EQ(run({"plan", "p.yaml", "--mode", "graph-only", "--out", "out"}).exit_code, 0);
+  const std::vector<std::string> joints = result("out")["joints"];
+  const auto file = folder_.path() / "out" / "trajectory.csv";
+  JointPath path = read_trajectory(file, joints).path;
+  path.positions[1][1] += 1e-4;
+  write_path(file, joints, path);
+  EXPECT_EQ(run({"check", "p.yaml", "out/trajectory.csv"}).exit_code, 1);
+}
+
+TEST_F(CommandLine, ThreadsDoNotChangeAByte) {
+  write(kProblem);
+  ASSERT_EQ(run({"plan", "p.yaml", "--out", "one", "--threads", "1"}).exit_code, 0);
+  ASSERT_EQ(run({"plan", "p.yaml", "--out", "two", "--threads", "2"}).exit_code, 0);
+  for (const char* name : {"trajectory.csv", "trajectory_dense.csv"})
+    EXPECT_EQ(file_text(folder_.path() / "one" / name), file_text(folder_.path() / "two" / name));
+}
+
+TEST_F(CommandLine, SmoothRepairsAPlannedPath) {
+  write(kProblem);
+  ASSERT_EQ(run({"plan", "p.yaml", "--mode", "graph-only", "--out", "graph"}).exit_code, 0);
+  const ProgramRun smoothed =
+      run({"smooth", "p.yaml", "--joints", "graph/trajectory.csv", "--out", "smooth"});
+  EXPECT_EQ(smoothed.exit_code, 0) << smoothed.out << smoothed.err;
+  EXPECT_EQ(result("smooth")["mode"], "smooth");
+}
+
+TEST_F(CommandLine, CompareWritesBoth) {
+  write(kProblem);
+  const ProgramRun compared = run({"compare", "p.yaml", "--out", "both"});
+  EXPECT_EQ(compared.exit_code, 0) << compared.out << compared.err;
+  EXPECT_EQ(result("both/graph-only")["mode"], "graph-only");
+  EXPECT_EQ(result("both/two-stage")["mode"], "two-stage");
+  EXPECT_NE(compared.out.find("peak jerk of joint_a6"), std::string::npos) << compared.out;
+}
+
+TEST_F(CommandLine, DefaultFolderIsNamedAfterTheProblem) {
+  write(kProblem);
+  ASSERT_EQ(run({"plan", "p.yaml"}).exit_code, 0);
+  EXPECT_EQ(result("out/p")["problem"], "p");
+}
+
+TEST_F(CommandLine, OutOfReachIsDiagnosed) {
+  write(replaced(replaced(kProblem, "[0.9, -0.02, 0.5]", "[1.9, -0.02, 0.5]"), "[0.9, 0.02, 0.5]",
+                 "[1.9, 0.02, 0.5]"));
+  for (const std::string mode : {"two-stage", "graph-only"}) {
+    EXPECT_EQ(run({"plan", "p.yaml", "--mode", mode, "--out", "out"}).exit_code, 1);
+    const Json json = result("out");
+    EXPECT_EQ(json["status"], "infeasible");
+    ASSERT_FALSE(json["diagnosis"].empty());
+    EXPECT_EQ(json["diagnosis"][0]["waypoint"], 0);
+    EXPECT_EQ(json["diagnosis"][0]["reason"], "out_of_reach");
+  }
+}
+
+TEST_F(CommandLine, InterruptionIsAResult) {
+  write(replaced(replaced(replaced(kProblem, "waypoints: 9", "waypoints: 200"), "rz: free",
+                          "rz: free, rx: 10 deg, ry: 10 deg"),
+                 "rz: 30 deg", "rz: 1 deg"));
+  const ProgramRun outcome = run_program(folder_.path(), {"plan", "p.yaml", "--out", "out"},
+                                         std::chrono::milliseconds(300), SIGINT);
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
+  EXPECT_EQ(result("out")["status"], "interrupted");
+}
+
+}  // namespace
+}  // namespace wristwise

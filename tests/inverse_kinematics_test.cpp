@@ -1,0 +1,369 @@
+#include "wristwise/inverse_kinematics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "invalid_input.hpp"
+#include "kuka_kr5_arc.hpp"
+#include "ortho_parallel.hpp"
+#include "random_arm.hpp"
+#include "wristwise/kinematics.hpp"
+
+namespace wristwise {
+namespace {
+
+using test::Dice;
+using test::ortho_parallel;
+using test::random_arm;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kPoseTolerance = 1e-11;
+
+double pose_error(const Pose& a, const Pose& b) {
+  return std::max((a.translation() - b.translation()).norm(), (a.linear() - b.linear()).norm());
+}
+
+double angle_distance(const JointVector& a, const JointVector& b) {
+  double distance = 0;
+  for (Eigen::Index j = 0; j < a.size(); ++j) {
+    distance = std::max(distance, std::abs(std::remainder(a[j] - b[j], 2 * kPi)));
+  }
+  return distance;
+}
+
+bool contains(const std::vector<JointVector>& branches, const JointVector& q, double tolerance) {
+  return std::any_of(branches.begin(), branches.end(), [&](const JointVector& branch) {
+    return angle_distance(branch, q) < tolerance;
+  });
+}
+
+/// Every branch meets the pose, is in (-pi, pi], and is there once.
+void expect_valid(const Robot& robot, const Pose& tcp, const std::vector<JointVector>& branches) {
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    ASSERT_EQ(branches[i].size(), 6);
+    EXPECT_LT(pose_error(tcp_pose(robot, branches[i]), tcp), kPoseTolerance)
+        << branches[i].transpose();
+    EXPECT_GT(branches[i].minCoeff(), -kPi);
+    EXPECT_LE(branches[i].maxCoeff(), kPi);
+    for (std::size_t k = 0; k < i; ++k) {
+      EXPECT_GT(angle_distance(branches[i], branches[k]), 1e-9);
+    }
+  }
+}
+
+std::shared_ptr<const InverseKinematics> solver_of(const std::shared_ptr<const Robot>& robot) {
+  const InverseKinematicsFound found = find_inverse_kinematics(robot);
+  EXPECT_NE(found.solver, nullptr) << found.description;
+  return found.solver;
+}
+
+Pose seam_pose(double y, double spin) {
+  Pose pose = Pose::Identity();
+  pose.linear() << -1, 0, 0, 0, 1, 0, 0, 0, -1;
+  pose.linear() = pose.linear() * Eigen::AngleAxisd(spin, Eigen::Vector3d::UnitZ());
+  pose.translation() << 0.9, y, 0.3;
+  return pose;
+}
+
+TEST(SphericalWristIk, CountsThePosturesOfKnownAnswer1) {
+  const auto robot = test::kr5::load();
+  const auto solver = solver_of(robot);
+  std::vector<JointVector> branches, postures;
+  int principal = 0, all = 0;
+  for (int i = 0; i < 30; ++i) {
+    for (int k = 0; k < 360; ++k) {
+      solver->solve(seam_pose(-0.25 + 0.5 * i / 29, (k - 180) * kPi / 180), branches);
+      for (const JointVector& branch : branches) {
+        postures.clear();
+        principal += append_turns(*robot, branch, Turns::principal, postures);
+        all += append_turns(*robot, branch, Turns::all, postures);
+      }
+    }
+  }
+  EXPECT_EQ(principal, 21600);
+  EXPECT_EQ(all, 82786);
+}
+
+TEST(SphericalWristIk, ReproducesRandomPosesOfTheKuka) {
+  const auto robot = test::kr5::load();
+  const auto solver = solver_of(robot);
+  Dice dice(1);
+  std::vector<JointVector> branches;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const JointVector q = dice.posture();
+    const Pose tcp = tcp_pose(*robot, q);
+    solver->solve(tcp, branches);
+    expect_valid(*robot, tcp, branches);
+    EXPECT_TRUE(contains(branches, q, 1e-7)) << q.transpose();
+  }
+}
+
+TEST(SphericalWristIk, FindsTheSolutionsOfThePublishedClosedForm) {
+  const auto robot = test::kr5::load();
+  const auto solver = solver_of(robot);
+  Dice dice(2);
+  std::vector<JointVector> branches;
+  std::size_t total = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const JointVector q = dice.posture();
+    const Pose flange(test::kr5::tool0(q));
+    const std::vector<JointVector> published = ortho_parallel(flange);
+    solver->solve(Pose(test::kr5::torch_tip(q, 0.3)), branches);
+    ASSERT_EQ(branches.size(), published.size());
+    for (const JointVector& solution : published) {
+      EXPECT_TRUE(contains(branches, solution, 1e-6)) << solution.transpose();
+    }
+    total += branches.size();
+  }
+  EXPECT_GT(total, 4u * 2000);
+}
+
+TEST(SphericalWristIk, SolvesRandomArmsInAnyConvention) {
+  Dice dice(3);
+  std::vector<JointVector> branches;
+  for (int arm = 0; arm < 200; ++arm) {
+    const auto robot = std::make_shared<const Robot>(random_arm(dice, {arm % 2 == 0, arm % 4 < 2}));
+    const auto solver = solver_of(robot);
+    for (int trial = 0; trial < 20; ++trial) {
+      const JointVector q = dice.posture();
+      const Pose tcp = tcp_pose(*robot, q);
+      solver->solve(tcp, branches);
+      expect_valid(*robot, tcp, branches);
+      EXPECT_TRUE(contains(branches, q, 1e-6)) << "arm " << arm << ": " << q.transpose();
+    }
+  }
+}
+
+/// Newton's method with damping and numeric derivatives from many starts.
+std::vector<JointVector> numeric_solutions(const Robot& robot, const Pose& target, Dice& dice,
+                                           int starts) {
+  using Residual = Eigen::Matrix<double, 12, 1>;
+  const auto residual = [&](const JointVector& q) {
+    const Pose tcp = tcp_pose(robot, q);
+    Residual r;
+    r.head<3>() = tcp.translation() - target.translation();
+    r.tail<9>() = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(
+        Eigen::Matrix3d(tcp.linear() - target.linear()).data());
+    return r;
+  };
+  std::vector<JointVector> solutions;
+  for (int start = 0; start < starts; ++start) {
+    JointVector q = dice.posture();
+    for (int step = 0; step < 60 && residual(q).norm() > 1e-12; ++step) {
+      Eigen::Matrix<double, 12, 6> slope;
+      for (int j = 0; j < 6; ++j) {
+        JointVector after = q, before = q;
+        after[j] += 1e-6;
+        before[j] -= 1e-6;
+        slope.col(j) = (residual(after) - residual(before)) / 2e-6;
+      }
+      Eigen::Matrix<double, 6, 1> move = slope.colPivHouseholderQr().solve(residual(q));
+      const double longest = move.cwiseAbs().maxCoeff();
+      if (longest > 0.5) move *= 0.5 / longest;
+      q -= move;
+    }
+    if (residual(q).norm() < 1e-9 && !contains(solutions, q, 1e-5)) solutions.push_back(q);
+  }
+  return solutions;
+}
+
+TEST(SphericalWristIk, MissesNoSolutionThatAMultiStartSearchFinds) {
+  Dice dice(4);
+  std::vector<JointVector> branches;
+  for (int arm = 0; arm < 4; ++arm) {
+    const auto robot = std::make_shared<const Robot>(random_arm(dice, {arm < 2, arm % 2 == 0}));
+    const Pose tcp = tcp_pose(*robot, dice.posture());
+    solver_of(robot)->solve(tcp, branches);
+    const std::vector<JointVector> found = numeric_solutions(*robot, tcp, dice, 150);
+    EXPECT_GE(found.size(), 2u);
+    EXPECT_LE(found.size(), branches.size());
+    for (const JointVector& q : found) {
+      EXPECT_TRUE(contains(branches, q, 1e-4)) << "arm " << arm << ": " << q.transpose();
+    }
+  }
+}
+
+TEST(SphericalWristIk, ReproducesPosesNextToAndAtSingularPostures) {
+  const auto robot = test::kr5::load();
+  const auto solver = solver_of(robot);
+  const double stretched = std::atan2(0.12, 0.62);
+  Dice dice(5);
+  std::vector<JointVector> branches;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const double near = trial % 10 == 0 ? 0 : dice.sign() * std::pow(10, dice.uniform(-16, -2));
+    JointVector q = dice.posture();
+    if (trial % 3 != 1) q[4] = near + (trial % 5 == 0 ? kPi : 0);
+    if (trial % 3 != 0) q[2] = stretched + near + (trial % 4 == 0 ? kPi : 0);
+    const Pose tcp = tcp_pose(*robot, q);
+    solver->solve(tcp, branches);
+    EXPECT_FALSE(branches.empty()) << q.transpose();
+    for (const JointVector& branch : branches) {
+      EXPECT_LT(pose_error(tcp_pose(*robot, branch), tcp), kPoseTolerance) << q.transpose();
+    }
+  }
+}
+
+TEST(SphericalWristIk, ReproducesPosesWithTheWristOnAxis1) {
+  const auto robot = test::kr5::load();
+  const auto solver = solver_of(robot);
+  Dice dice(6);
+  std::vector<JointVector> branches;
+  for (int trial = 0; trial < 200; ++trial) {
+    const double offset = trial % 4 == 0 ? 0 : std::pow(10, dice.uniform(-16, -3));
+    Pose flange = Pose::Identity();
+    flange.linear() = dice.rotation();
+    flange.translation() =
+        Eigen::Vector3d(offset, 0, dice.uniform(0.8, 1.4)) + 0.115 * flange.linear().col(2);
+    const Pose tcp = flange * Eigen::AngleAxisd(kPi / 4, Eigen::Vector3d::UnitY()) *
+                     Eigen::Translation3d(0, 0, 0.3);
+    solver->solve(tcp, branches);
+    EXPECT_FALSE(branches.empty());
+    for (const JointVector& branch : branches) {
+      EXPECT_LT(pose_error(tcp_pose(*robot, branch), tcp), kPoseTolerance);
+    }
+  }
+}
+
+TEST(SphericalWristIk, ChoosesJoint4AtTheSingularWrist) {
+  const auto robot = test::kr5::load();
+  std::vector<JointVector> branches;
+  const JointVector q = (JointVector(6) << 0.3, -1.2, 1.5, 0.7, 0, -0.4).finished();
+  solver_of(robot)->solve(tcp_pose(*robot, q), branches);
+  const JointVector chosen = (JointVector(6) << 0.3, -1.2, 1.5, 0, 0, 0.3).finished();
+  EXPECT_TRUE(contains(branches, chosen, 1e-7));
+}
+
+TEST(SphericalWristIk, AnswersNothingOutOfReachOrForNan) {
+  const auto robot = test::kr5::load();
+  const auto solver = solver_of(robot);
+  std::vector<JointVector> branches(3);
+  Pose far = seam_pose(0, 0);
+  far.translation().x() = 3;
+  solver->solve(far, branches);
+  EXPECT_TRUE(branches.empty());
+  far.translation().x() = NAN;
+  solver->solve(far, branches);
+  EXPECT_TRUE(branches.empty());
+}
+
+TEST(SphericalWristIk, KeepsTheOrderOfBranchesAlongAPath) {
+  const auto robot = test::kr5::load();
+  const auto solver = solver_of(robot);
+  std::vector<JointVector> before, now;
+  for (int i = 0; i <= 500; ++i) {
+    solver->solve(seam_pose(-0.25 + 0.001 * i, 0.8), now);
+    ASSERT_EQ(now.size(), 8u);
+    for (std::size_t k = 0; i > 0 && k < 8; ++k) {
+      EXPECT_LT(angle_distance(before[k], now[k]), 0.05) << "branch " << k << " at " << i;
+    }
+    before = now;
+  }
+}
+
+/// The KUKA with errors in every joint origin, as a calibration finds them.
+Robot miscalibrated(Dice& dice, double size) {
+  const auto ideal = test::kr5::load();
+  Robot::Parts parts;
+  parts.name = "calibrated";
+  parts.joints = ideal->joints();
+  parts.tcp = ideal->tcp();
+  for (Joint& joint : parts.joints) {
+    joint.origin.translation() += dice.vector(size);
+    joint.origin.linear() = joint.origin.linear() *
+                            Eigen::AngleAxisd(dice.uniform(-size, size), dice.rotation().col(0));
+  }
+  return Robot(parts);
+}
+
+TEST(CalibratedArmIk, FindsRandomPosturesOfTheTrueChain) {
+  Dice dice(7);
+  std::vector<JointVector> branches;
+  for (const double size : {1e-4, 1e-5, 1e-8}) {
+    for (int arm = 0; arm < 5; ++arm) {
+      const auto robot = std::make_shared<const Robot>(miscalibrated(dice, size));
+      const auto solver = solver_of(robot);
+      for (int trial = 0; trial < 100; ++trial) {
+        JointVector q = dice.posture();
+        if (std::abs(std::sin(q[4])) < 0.05) q[4] = 1;
+        const Pose tcp = tcp_pose(*robot, q);
+        solver->solve(tcp, branches);
+        expect_valid(*robot, tcp, branches);
+        EXPECT_TRUE(contains(branches, q, 1e-6)) << q.transpose();
+      }
+    }
+  }
+}
+
+TEST(CalibratedArmIk, ReproducesPosesNextToTheWristSingularity) {
+  Dice dice(8);
+  std::vector<JointVector> branches;
+  int unsolved = 0, trials = 0;
+  for (int arm = 0; arm < 5; ++arm) {
+    const auto robot = std::make_shared<const Robot>(miscalibrated(dice, 1e-4));
+    const auto solver = solver_of(robot);
+    for (int trial = 0; trial < 100; ++trial) {
+      JointVector q = dice.posture();
+      q[4] = trial % 4 == 0 ? 0 : dice.sign() * std::pow(10, dice.uniform(-6, -2));
+      const Pose tcp = tcp_pose(*robot, q);
+      solver->solve(tcp, branches);
+      expect_valid(*robot, tcp, branches);
+      unsolved += branches.empty() ? 1 : 0;
+      ++trials;
+    }
+  }
+  EXPECT_LE(unsolved, trials / 500) << "of " << trials;
+}
+
+TEST(FindInverseKinematics, DescribesWhatItFound) {
+  const InverseKinematicsFound found = find_inverse_kinematics(test::kr5::load());
+  ASSERT_NE(found.solver, nullptr);
+  EXPECT_EQ(found.description, found.solver->description());
+  for (const char* part : {"spherical wrist, closed form", "0.18 m", "0.6 m", "0.6315 m"}) {
+    EXPECT_TRUE(test::says(found.description, part)) << found.description;
+  }
+}
+
+TEST(FindInverseKinematics, SaysWhichConditionFails) {
+  const auto ideal = test::kr5::load();
+  const auto refusal = [&](const std::function<void(Robot::Parts&)>& change) {
+    Robot::Parts parts;
+    parts.name = "changed";
+    parts.joints = ideal->joints();
+    parts.tcp = ideal->tcp();
+    change(parts);
+    const auto found = find_inverse_kinematics(std::make_shared<const Robot>(parts));
+    EXPECT_EQ(found.solver, nullptr) << found.description;
+    return found.description;
+  };
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+  EXPECT_TRUE(test::says(refusal([](auto& p) { p.joints.pop_back(); }), "5 movable joints"));
+  EXPECT_TRUE(test::says(refusal([](auto& p) { p.joints[3].type = JointType::prismatic; }),
+                         "joint 'joint_a4' is prismatic"));
+  EXPECT_TRUE(test::says(refusal([&](auto& p) {
+                           p.joints[2].axis = Eigen::AngleAxisd(0.1, x) * Eigen::Vector3d::UnitZ();
+                         }),
+                         "axes 2 and 3 are 5.73 deg from parallel"));
+  EXPECT_TRUE(test::says(
+      refusal([&](auto& p) { p.joints[4].origin.translation() += Eigen::Vector3d(0, 0.05, 0); }),
+      "do not meet"));
+  EXPECT_TRUE(test::says(refusal([](auto& p) {
+                           p.joints[0].axis =
+                               p.joints[0].origin.linear().transpose() * Eigen::Vector3d::UnitY();
+                         }),
+                         "axes 1 and 2 are parallel"));
+  EXPECT_TRUE(test::says(refusal([](auto& p) { p.joints[2].origin.translation().setZero(); }),
+                         "axes 2 and 3 are only"));
+}
+
+TEST(FindInverseKinematics, RefusesSenselessArguments) {
+  test::invalid_input([] { find_inverse_kinematics(nullptr); });
+  test::invalid_input([] { find_inverse_kinematics(test::kr5::load(), NAN); });
+  test::invalid_input([] { find_inverse_kinematics(test::kr5::load(), -1); });
+}
+
+}  // namespace
+}  // namespace wristwise

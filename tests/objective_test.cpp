@@ -1,0 +1,222 @@
+#include "refine/objective.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "gantry.hpp"
+#include "kuka_kr5_arc.hpp"
+
+namespace wristwise {
+namespace {
+
+namespace gantry = test::gantry;
+namespace kr5 = test::kr5;
+
+CostOptions uneven_cost() {
+  CostOptions cost;
+  cost.joint_motion = 0.7;
+  cost.acceleration = 2;
+  cost.jerk = 0.3;
+  cost.euler_refine = 5;
+  cost.euler_eta = 3;
+  cost.joint_weights = {1, 0.5, 2, 0.1};
+  return cost;
+}
+
+constexpr double kTau = 0.8;
+
+Spline random_spline(const std::vector<double>& breakpoints, int joints, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Spline spline{SplineBasis(breakpoints), {}};
+  spline.control = Eigen::MatrixXd::NullaryExpr(joints, spline.basis.control_count(),
+                                                [&] { return 0.3 * normal(random); });
+  return spline;
+}
+
+/// Composite trapezoid rule on every span, so that no step lies across a jump of a derivative.
+template <class Density>
+double integral(const std::vector<double>& breakpoints, const Density& density) {
+  constexpr int kSteps = 4000;
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+    const double h = (breakpoints[i + 1] - breakpoints[i]) / kSteps;
+    for (int k = 0; k < kSteps; ++k) {
+      const double t = breakpoints[i] + k * h;
+      sum += 0.5 * h * (density(t) + density(t + h));
+    }
+  }
+  return sum;
+}
+
+/// alpha and beta of R = Rx(alpha) Ry(beta) Rz(gamma).
+Eigen::Vector2d alpha_beta(const Eigen::Matrix3d& r) {
+  return {std::atan2(-r(1, 2), r(2, 2)), std::asin(r(0, 2))};
+}
+
+TEST(ObjectiveWeights, FollowTheFormula) {
+  const ObjectiveWeights weights = objective_weights(uneven_cost(), kTau, 4);
+  EXPECT_DOUBLE_EQ(weights.derivative[1], 0.7);
+  EXPECT_DOUBLE_EQ(weights.derivative[2], 2 * 0.64);
+  EXPECT_DOUBLE_EQ(weights.derivative[3], 0.3 * 0.4096);
+  EXPECT_DOUBLE_EQ(weights.alpha, 5 * 9 / 0.64);
+  EXPECT_DOUBLE_EQ(weights.beta, 5 / 0.64);
+  EXPECT_EQ(weights.joint[3], 0.1);
+  EXPECT_EQ(objective_weights({}, kTau, 6).joint, JointVector::Ones(6));
+}
+
+TEST(ObjectiveTerms, OfASplineEqualDenseIntegrals) {
+  const std::vector<double> breakpoints = {0, 0.3, 1, 2};
+  const Robot robot(gantry::parts());
+  const Task task = gantry::task({{0, 0, 0}, {1, 0, 0}}, 2, 4, gantry::box(1, 1));
+  const ObjectiveWeights weights = objective_weights(uneven_cost(), kTau, 4);
+  const JointVector w = weights.joint;
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    const Spline spline = random_spline(breakpoints, 4, seed);
+    const ObjectiveTerms terms = objective_terms(weights, robot, task, spline);
+    const auto motion = [&](int k) {
+      return integral(breakpoints, [&](double t) {
+        return spline.evaluate(t, k).cwiseProduct(w).squaredNorm();
+      });
+    };
+    EXPECT_NEAR(terms.joint_motion, 0.7 * motion(1), 1e-5 * terms.joint_motion);
+    EXPECT_NEAR(terms.acceleration, 2 * 0.64 * motion(2), 1e-5 * terms.acceleration);
+    // The jerk of a quintic spline is continuous.
+    EXPECT_NEAR(terms.jerk, 0.3 * 0.4096 * motion(3), 1e-5 * terms.jerk);
+    // On the gantry alpha is the tilt, and beta is zero.
+    const double tilt = integral(
+        breakpoints, [&](double t) { return spline.evaluate(t)[3] * spline.evaluate(t)[3]; });
+    EXPECT_NEAR(terms.euler, 5 * 9 / 0.64 * tilt, 1e-5 * terms.euler);
+    EXPECT_NEAR(terms.total(), terms.joint_motion + terms.acceleration + terms.jerk + terms.euler,
+                1e-12 * terms.total());
+  }
+}
+
+TEST(ObjectiveTerms, EulerTermOfTheKr5EqualsADenseSum) {
+  const auto robot = kr5::load();
+  const std::vector<double> breakpoints = {0, 1, 2};
+  Spline spline = random_spline(breakpoints, 6, 4);
+  spline.control *= 0.2;
+  JointVector centre(6);
+  centre << 0.2, -1.2, 1.4, 0.3, 0.5, -0.2;
+  spline.control.colwise() += Eigen::VectorXd(centre);
+  Task task = gantry::task({{0, 0, 0}, {1, 0, 0}}, 2, 4, gantry::box(1, 1));
+  SeamPiece piece = task.seam.pieces().front();
+  piece.from = piece.to = Pose(kr5::torch_tip(centre, 0.3));
+  task.seam = Seam({piece});
+  const ObjectiveWeights weights = objective_weights(uneven_cost(), kTau, 4);
+  ObjectiveWeights six = weights;
+  six.joint = JointVector::Ones(6);
+  const double dense = integral({0, 0.5, 1, 1.5, 2}, [&](double t) {
+    const Eigen::Matrix3d tcp = kr5::torch_tip(spline.evaluate(t), 0.3).topLeftCorner<3, 3>();
+    const Eigen::Vector2d e = alpha_beta(piece.from.linear().transpose() * tcp);
+    return 5 / 0.64 * (9 * e[0] * e[0] + e[1] * e[1]);
+  });
+  EXPECT_GT(dense, 0.01);
+  EXPECT_NEAR(objective_terms(six, *robot, task, spline).euler, dense, 1e-4 * dense);
+}
+
+/// Sum of squared k-th differences over h^(2k-1).
+TEST(ObjectiveTerms, OfAnEvenPathAreSumsOfSquaredDifferences) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  const Robot robot(gantry::parts());
+  const Task task = gantry::task({{0, 0, 0}, {1, 0, 0}}, 3, 20, gantry::box(1, 1));
+  JointPath path = gantry::path_along(task);
+  for (JointVector& q : path.positions) {
+    for (double& value : q) value = normal(random);
+  }
+  const double h = 3.0 / 20;
+  const JointVector w = objective_weights(uneven_cost(), kTau, 4).joint;
+  std::vector<JointVector> difference = path.positions;
+  std::array<double, 4> sum{};
+  for (int k = 1; k <= 3; ++k) {
+    for (std::size_t i = 0; i + 1 < difference.size(); ++i) {
+      difference[i] = (difference[i + 1] - difference[i]).eval();
+    }
+    difference.pop_back();
+    for (const JointVector& d : difference) {
+      sum[static_cast<std::size_t>(k)] += d.cwiseProduct(w).squaredNorm() / std::pow(h, 2 * k - 1);
+    }
+  }
+  const ObjectiveTerms terms =
+      objective_terms(objective_weights(uneven_cost(), kTau, 4), robot, task, path);
+  EXPECT_NEAR(terms.joint_motion, 0.7 * sum[1], 1e-10 * terms.joint_motion);
+  EXPECT_NEAR(terms.acceleration, 2 * 0.64 * sum[2], 1e-10 * terms.acceleration);
+  EXPECT_NEAR(terms.jerk, 0.3 * 0.4096 * sum[3], 1e-10 * terms.jerk);
+  double tilt = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool end = i == 0 || i + 1 == path.size();
+    tilt += (end ? 0.5 : 1) * h * std::pow(path.positions[i][3], 2);
+  }
+  EXPECT_NEAR(terms.euler, 5 * 9 / 0.64 * tilt, 1e-10 * terms.euler);
+}
+
+TEST(ObjectiveTerms, OfAFinePathAndOfItsCurveAgree) {
+  const Robot robot(gantry::parts());
+  const Spline spline = random_spline({0, 1, 2}, 4, 8);
+  const Task task = gantry::task({{0, 0, 0}, {1, 0, 0}}, 2, 4000, gantry::box(1, 1));
+  JointPath path = gantry::path_along(task);
+  // Uneven times.
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    path.times[i] += 1e-4 * std::sin(3.0 * static_cast<double>(i));
+  }
+  for (std::size_t i = 0; i < path.size(); ++i) path.positions[i] = spline.evaluate(path.times[i]);
+  const ObjectiveWeights weights = objective_weights(uneven_cost(), kTau, 4);
+  const ObjectiveTerms curve = objective_terms(weights, robot, task, spline);
+  const ObjectiveTerms points = objective_terms(weights, robot, task, path);
+  EXPECT_NEAR(points.joint_motion, curve.joint_motion, 0.01 * curve.joint_motion);
+  EXPECT_NEAR(points.acceleration, curve.acceleration, 0.01 * curve.acceleration);
+  EXPECT_NEAR(points.jerk, curve.jerk, 0.01 * curve.jerk);
+  EXPECT_NEAR(points.euler, curve.euler, 0.01 * curve.euler);
+}
+
+TEST(SpanFactors, SquaredNormsAreTheIntegral) {
+  const std::vector<double> breakpoints = {0, 0.3, 1, 2, 2.1};
+  const ObjectiveWeights weights = objective_weights(uneven_cost(), kTau, 4);
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    const Spline spline = random_spline(breakpoints, 4, seed);
+    const auto factors = span_factors(weights, spline.basis);
+    ASSERT_EQ(factors.size(), 4U);
+    for (std::size_t span = 0; span < 4; ++span) {
+      EXPECT_TRUE(factors[span].isUpperTriangular(0));
+      const Eigen::MatrixXd local =
+          spline.control.middleCols(static_cast<Eigen::Index>(span), SplineBasis::kLocal);
+      const Eigen::MatrixXd weighted = weights.joint.asDiagonal() * local;
+      const double found = (factors[span] * weighted.transpose()).squaredNorm();
+      const double dense = integral({breakpoints[span], breakpoints[span + 1]}, [&](double t) {
+        double density = 0;
+        for (int k = 1; k <= 3; ++k) {
+          // The last span's right end is not its neighbour's.
+          const double inside = std::min(t, breakpoints[span + 1] - 1e-12);
+          density += weights.derivative[static_cast<std::size_t>(k)] *
+                     spline.evaluate(inside, k).cwiseProduct(weights.joint).squaredNorm();
+        }
+        return density;
+      });
+      EXPECT_NEAR(found, dense, 1e-5 * dense);
+    }
+  }
+}
+
+TEST(EulerPoints, AreQuadratureOfTheStretchesWithAPrescribedPath) {
+  Task task = gantry::task({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 4, 2, gantry::box(0.1, 0.1));
+  std::vector<SeamPiece> pieces = task.seam.pieces();
+  pieces[1].kind = SeamPiece::Kind::move;
+  task.seam = Seam(pieces);
+  const ObjectiveWeights weights = objective_weights(uneven_cost(), kTau, 4);
+  double alpha = 0, beta = 0;
+  for (const EulerPoint& point : euler_points(weights, task, SplineBasis({0, 1, 2, 4}))) {
+    EXPECT_LT(point.time, 2);
+    EXPECT_NEAR(point.frame.translation().x(), point.time / 2, 1e-12);
+    alpha += point.sqrt_alpha * point.sqrt_alpha;
+    beta += point.sqrt_beta * point.sqrt_beta;
+  }
+  EXPECT_NEAR(alpha, 2 * 5 * 9 / 0.64, 1e-9);
+  EXPECT_NEAR(beta, 2 * 5 / 0.64, 1e-9);
+  EXPECT_TRUE(euler_points(objective_weights({}, kTau, 4), task, SplineBasis({0, 4})).empty());
+}
+
+}  // namespace
+}  // namespace wristwise

@@ -1,0 +1,171 @@
+#include "io/result_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "temporary_folder.hpp"
+#include "wristwise/trajectory_file.hpp"
+
+namespace wristwise {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using test::file_text;
+using test::TemporaryFolder;
+
+Problem slider_problem() {
+  Robot::Parts parts;
+  parts.base_link = "base";
+  parts.tip_link = "tip";
+  Joint joint;
+  joint.name = "slide";
+  joint.type = JointType::prismatic;
+  joint.lower = -10;
+  joint.upper = 10;
+  joint.max_velocity = 1;
+  joint.max_acceleration = joint.max_jerk = std::numeric_limits<double>::infinity();
+  parts.joints.push_back(joint);
+  Problem problem;
+  problem.name = "slider";
+  problem.robot = std::make_shared<const Robot>(parts);
+  return problem;
+}
+
+JointVector value(double x) { return JointVector::Constant(1, x); }
+
+/// q = t^2 at 0, 1, 3 s.
+PlanResult parabola() {
+  PlanResult result;
+  result.path = {{0, 1, 3}, {value(0), value(1), value(9)}};
+  return result;
+}
+
+std::vector<std::string> keys(const Json& json) {
+  std::vector<std::string> names;
+  for (const auto& item : json.items()) names.push_back(item.key());
+  return names;
+}
+
+void expect_first_keys(const Json& json, const std::vector<std::string>& expected) {
+  std::vector<std::string> found = keys(json);
+  ASSERT_GE(found.size(), expected.size());
+  found.resize(expected.size());
+  EXPECT_EQ(found, expected);
+}
+
+TEST(ResultFile, HasTheKeysOfTheContract) {
+  PlanResult result = parabola();
+  result.refine.terms = {{"jerk", 3, 1}};
+  result.diagnosis.push_back({std::size_t{7}, "collision", "detail", "suggestion"});
+  const Json json = Json::parse(result_json(result, slider_problem()));
+  expect_first_keys(json, {"status", "mode", "waypoints", "joints", "timing_s", "peak_rss_bytes",
+                           "graph", "refine", "peaks", "verification", "speed_held", "diagnosis"});
+  expect_first_keys(json["timing_s"], {"load", "sampling", "search", "refine", "verify", "total"});
+  expect_first_keys(json["graph"], {"vertices", "edges", "edges_evaluated", "collision_checks",
+                                    "cost", "joint_motion_l1"});
+  expect_first_keys(json["refine"],
+                    {"iterations", "evaluations", "termination", "objective", "terms"});
+  expect_first_keys(json["refine"]["terms"][0], {"name", "initial", "final"});
+  expect_first_keys(json["peaks"]["slide"], {"velocity", "acceleration", "jerk"});
+  expect_first_keys(json["verification"],
+                    {"passed", "position_error_m", "tolerance_excess", "clearance_m",
+                     "clearance_pair", "clearance_time_s", "joint_limit_excess", "velocity_ratio",
+                     "acceleration_ratio", "jerk_ratio", "samples"});
+  expect_first_keys(json["speed_held"], {"ratio", "worst_time_s", "worst_joint"});
+  expect_first_keys(json["diagnosis"][0], {"waypoint", "reason", "detail", "suggestion"});
+  EXPECT_EQ(json["diagnosis"][0]["waypoint"], 7);
+  EXPECT_EQ(json["waypoints"], 3);
+  EXPECT_EQ(json["joints"], Json::array({"slide"}));
+  EXPECT_GT(json["peak_rss_bytes"], 1'000'000);
+}
+
+TEST(ResultFile, NamesOfStatusAndMode) {
+  PlanResult result;
+  const Problem problem = slider_problem();
+  const std::vector<std::pair<Status, std::string>> statuses = {
+      {Status::solved, "solved"},
+      {Status::infeasible, "infeasible"},
+      {Status::failed, "failed"},
+      {Status::interrupted, "interrupted"}};
+  for (const auto& [status, name] : statuses) {
+    result.status = status;
+    EXPECT_EQ(Json::parse(result_json(result, problem))["status"], name);
+  }
+  const std::vector<std::pair<Mode, std::string>> modes = {
+      {Mode::two_stage, "two-stage"}, {Mode::graph_only, "graph-only"}, {Mode::smooth, "smooth"}};
+  for (const auto& [mode, name] : modes) {
+    result.mode = mode;
+    EXPECT_EQ(Json::parse(result_json(result, problem))["mode"], name);
+  }
+}
+
+TEST(ResultFile, PeaksAreDividedDifferencesWithTheRealTimeSteps) {
+  const Json peaks = Json::parse(result_json(parabola(), slider_problem()))["peaks"]["slide"];
+  EXPECT_DOUBLE_EQ(peaks["velocity"], 4.0);      // (9 - 1) / 2
+  EXPECT_DOUBLE_EQ(peaks["acceleration"], 2.0);  // of t^2
+  EXPECT_TRUE(peaks["jerk"].is_null());
+}
+
+TEST(ResultFile, WhatIsUnknownIsNull) {
+  PlanResult result;
+  result.refine.run = true;
+  result.refine.objective = std::numeric_limits<double>::quiet_NaN();
+  result.graph.cost = std::numeric_limits<double>::infinity();
+  const Json json = Json::parse(result_json(result, Problem()));
+  EXPECT_TRUE(json["refine"]["objective"].is_null());
+  EXPECT_TRUE(json["graph"]["cost"].is_null());
+  EXPECT_TRUE(json["verification"]["clearance_m"].is_null());
+  EXPECT_TRUE(json["verification"]["clearance_pair"].is_null());
+  EXPECT_TRUE(json["verification"]["velocity_ratio"].is_null());
+  EXPECT_TRUE(json["speed_held"]["worst_joint"].is_null());
+  EXPECT_EQ(json["verification"]["passed"], false);
+  EXPECT_EQ(json["joints"], Json::array());
+}
+
+TEST(ResultFile, VerificationIsTranscribed) {
+  PlanResult result = parabola();
+  Verification& v = result.verification;
+  v.run = v.passed = v.curve = true;
+  v.position_error = 1e-7;
+  v.tolerance_excess << 1, 2, 3, 4, 5, 6;
+  v.clearance = 0.25;
+  v.clearance_pair = {"torch", "plate"};
+  v.clearance_time = 1.5;
+  v.velocity_ratio = 0.5;
+  v.velocity_joint = 0;
+  v.velocity_time = 2.5;
+  v.samples = 11;
+  const Json json = Json::parse(result_json(result, slider_problem()));
+  EXPECT_EQ(json["verification"]["tolerance_excess"]["rz"], 6);
+  EXPECT_EQ(json["verification"]["clearance_pair"], Json::array({"torch", "plate"}));
+  EXPECT_EQ(json["verification"]["clearance_time_s"], 1.5);
+  EXPECT_EQ(json["verification"]["samples"], 11);
+  EXPECT_EQ(json["speed_held"]["ratio"], 0.5);
+  EXPECT_EQ(json["speed_held"]["worst_time_s"], 2.5);
+  EXPECT_EQ(json["speed_held"]["worst_joint"], "slide");
+  EXPECT_EQ(json["verification"], Json::parse(verification_json(v, slider_problem())));
+}
+
+TEST(ResultFile, FilesOfAnEarlierResultDoNotSurvive) {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "deep" / "out";
+  PlanResult result = parabola();
+  result.trajectory = Trajectory(result.path.times, result.path.positions,
+                                 {value(0), value(2), value(6)}, {value(2), value(2), value(2)});
+  write_result(out, result, slider_problem());
+  EXPECT_TRUE(read_trajectory(out / "trajectory.csv", {"slide"}).trajectory);
+  EXPECT_TRUE(std::filesystem::exists(out / "trajectory_dense.csv"));
+
+  write_result(out, parabola(), slider_problem());
+  EXPECT_EQ(file_text(out / "trajectory.csv"), "time,slide\n0,0\n1,1\n3,9\n");
+  EXPECT_FALSE(std::filesystem::exists(out / "trajectory_dense.csv"));
+
+  write_result(out, PlanResult(), slider_problem());
+  EXPECT_FALSE(std::filesystem::exists(out / "trajectory.csv"));
+  EXPECT_TRUE(std::filesystem::exists(out / "result.json"));
+}
+
+}  // namespace
+}  // namespace wristwise
