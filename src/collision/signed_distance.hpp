@@ -15,9 +15,9 @@ struct SignedDistance {
 /// functions, with a lower and an upper bound that close (nearest_points.hpp, penetration.hpp).
 ///
 /// Why not FCL 0.7: its signed distance does not return for concentric shapes, and aborts or throws
-/// near contact; its distance of separated shapes is sometimes off by more than 1e-6 m, so that the
-/// certified search is needed behind it, and alone that is two to four times as fast. The tests
-/// compare the two.
+/// near contact; its distance of separated shapes comes without a proof, so that the certified
+/// search is needed behind it, and alone that is two to four times as fast. The tests compare the
+/// two.
 SignedDistance signed_distance(const PlacedShape& a, const PlacedShape& b);
 
 }  // namespace wristwise
