@@ -10,6 +10,7 @@
 
 #include "wristwise/clearance.hpp"
 #include "wristwise/seam.hpp"
+#include "wristwise/trajectory.hpp"
 
 namespace wristwise::test::gantry {
 

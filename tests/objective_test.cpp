@@ -84,10 +84,10 @@ TEST(ObjectiveTerms, OfASplineEqualDenseIntegrals) {
     EXPECT_NEAR(terms.acceleration, 2 * 0.64 * motion(2), 1e-5 * terms.acceleration);
     // The jerk of a quintic spline is continuous.
     EXPECT_NEAR(terms.jerk, 0.3 * 0.4096 * motion(3), 1e-5 * terms.jerk);
-    // On the gantry alpha is the tilt, and beta is zero.
+    // On the gantry alpha is the tilt, and beta is zero. Its square is of degree 10: not exact.
     const double tilt = integral(
         breakpoints, [&](double t) { return spline.evaluate(t)[3] * spline.evaluate(t)[3]; });
-    EXPECT_NEAR(terms.euler, 5 * 9 / 0.64 * tilt, 1e-5 * terms.euler);
+    EXPECT_NEAR(terms.euler, 5 * 9 / 0.64 * tilt, 1e-3 * terms.euler);
     EXPECT_NEAR(terms.total(), terms.joint_motion + terms.acceleration + terms.jerk + terms.euler,
                 1e-12 * terms.total());
   }

@@ -1,0 +1,146 @@
+// The welding tasks of De Maeyer et al. (ETFA 2017), in both modes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "wristwise/wristwise.hpp"
+
+namespace wristwise {
+namespace {
+
+Problem shipped(const std::string& name) {
+  return load_problem(std::string(WRISTWISE_SOURCE_DIR) + "/problems/" + name + ".yaml");
+}
+
+double peak(const JointPath& path, int derivative, int joint) {
+  double largest = 0;
+  for (const JointVector& value : divided_differences(path, derivative)) {
+    largest = std::max(largest, std::abs(value[joint]));
+  }
+  return largest;
+}
+
+/// The check once more, denser than the planner's own.
+void expect_verified(const Problem& problem, const PlanResult& result) {
+  ASSERT_EQ(result.status, Status::solved)
+      << (result.diagnosis.empty() ? "" : result.diagnosis.front().detail);
+  PlanOptions dense;
+  dense.verification.samples_per_interval = 50;
+  const Verification verification = result.trajectory.empty()
+                                        ? check(problem, result.path, dense)
+                                        : check(problem, result.trajectory, dense);
+  EXPECT_TRUE(verification.passed)
+      << (verification.failures.empty() ? "" : verification.failures.front());
+  EXPECT_LE(verification.velocity_ratio, 1);
+  ASSERT_TRUE(verification.clearance.has_value());
+  EXPECT_GE(*verification.clearance, problem.scene.clearance - 1e-6);
+  EXPECT_TRUE(verification.clearance_bound.has_value());
+}
+
+class PaperTask : public testing::TestWithParam<std::string> {};
+
+TEST_P(PaperTask, IsSolvedInBothModes) {
+  const Problem problem = shipped(GetParam());
+  const PlanResult graph_only = plan_graph_only(problem);
+  expect_verified(problem, graph_only);
+  const PlanResult two_stage = plan(problem);
+  expect_verified(problem, two_stage);
+  EXPECT_EQ(two_stage.path.size(), problem.task.waypoints.size());
+  double initial = 0;
+  for (const CostTerm& term : two_stage.refine.terms) initial += term.initial;
+  EXPECT_LE(two_stage.refine.objective, initial);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tasks, PaperTask,
+                         testing::Values("task_a_cylinder", "task_b_l_profile", "task_b_wide",
+                                         "task_c_wrist_singularity"));
+
+TEST(TaskB, CannotBeWeldedWithTheNominalTorch) {
+  Problem problem = shipped("task_b_l_profile");
+  for (Waypoint& waypoint : problem.task.waypoints) {
+    waypoint.tolerance.lower[4] = waypoint.tolerance.upper[4] = 0;
+  }
+  const PlanResult result = plan_graph_only(problem);
+  EXPECT_EQ(result.status, Status::infeasible);
+  ASSERT_FALSE(result.diagnosis.empty());
+  EXPECT_EQ(result.diagnosis.front().reason, "collision");
+  EXPECT_NE(result.diagnosis.front().detail.find("torch - plate"), std::string::npos);
+}
+
+TEST(TaskBJump, IsInfeasibleInBothModesAndNamesThePlate) {
+  const Problem problem = shipped("task_b_jump");
+  for (const PlanResult& result : {plan(problem), plan_graph_only(problem)}) {
+    EXPECT_EQ(result.status, Status::infeasible);
+    ASSERT_FALSE(result.diagnosis.empty());
+    EXPECT_TRUE(result.diagnosis.front().waypoint.has_value());
+    EXPECT_NE(result.diagnosis.front().detail.find("torch - plate"), std::string::npos)
+        << result.diagnosis.front().detail;
+    EXPECT_GT(result.path.size(), 10U);  // the part that can be welded
+    EXPECT_LT(result.path.size(), problem.task.waypoints.size());
+  }
+}
+
+/// Without the check between waypoints the torch jumps through the plate: what the paper found.
+TEST(TaskBJump, IsJumpedThroughWhereOnlyWaypointsAreChecked) {
+  Problem problem = shipped("task_b_jump");
+  const PlanResult checked = plan_graph_only(problem);
+  const std::size_t stuck = *checked.diagnosis.front().waypoint;
+  EXPECT_EQ(checked.path.size(), stuck);
+  problem.scene.objects.pop_back();  // the plate
+  EXPECT_EQ(plan_graph_only(problem).status, Status::solved);
+}
+
+TEST(TaskC, TwoStageTakesTheSpikesOutOfJoints4And6) {
+  const Problem problem = shipped("task_c_wrist_singularity");
+  const PlanResult graph_only = plan_graph_only(problem);
+  const PlanResult two_stage = plan(problem);
+  double least_joint5 = 1;
+  for (const JointVector& q : graph_only.path.positions) {
+    least_joint5 = std::min(least_joint5, std::abs(q[4]));
+  }
+  EXPECT_LT(least_joint5, 0.06);  // the seam does pass the singularity
+  for (const int joint : {3, 5}) {
+    for (const int derivative : {2, 3}) {
+      EXPECT_GE(peak(graph_only.path, derivative, joint),
+                5 * peak(two_stage.path, derivative, joint))
+          << "joint " << joint + 1 << ", derivative " << derivative;
+    }
+  }
+}
+
+TEST(Plan, GivesTheSameBytesWithAnyNumberOfThreads) {
+  const Problem problem = shipped("task_b_l_profile");
+  PlanOptions one, three;
+  one.threads = 1;
+  three.threads = 3;
+  const PlanResult a = plan(problem, one), b = plan(problem, three);
+  ASSERT_EQ(a.path.size(), b.path.size());
+  for (std::size_t i = 0; i < a.path.size(); ++i) {
+    EXPECT_EQ(a.trajectory.positions()[i], b.trajectory.positions()[i]);
+    EXPECT_EQ(a.trajectory.accelerations()[i], b.trajectory.accelerations()[i]);
+  }
+  EXPECT_EQ(a.graph.collision_checks, b.graph.collision_checks);
+}
+
+TEST(Plan, StopsWhenCancelled) {
+  const std::atomic<bool> cancel{true};
+  PlanOptions options;
+  options.monitor.cancel = &cancel;
+  EXPECT_EQ(plan(shipped("task_c_wrist_singularity"), options).status, Status::interrupted);
+}
+
+TEST(Plan, ReportsItsStages) {
+  std::vector<std::string> stages;
+  PlanOptions options;
+  options.monitor.progress = [&](const std::string& stage, double fraction) {
+    EXPECT_GE(fraction, 0);
+    EXPECT_LE(fraction, 1);
+    if (stages.empty() || stages.back() != stage) stages.push_back(stage);
+  };
+  plan(shipped("task_c_wrist_singularity"), options);
+  EXPECT_EQ(stages, (std::vector<std::string>{"sampling", "search", "refine", "verify"}));
+}
+
+}  // namespace
+}  // namespace wristwise
