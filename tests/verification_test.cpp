@@ -59,6 +59,11 @@ void expect_failure(const Verification& result, const std::vector<std::string>& 
   }
 }
 
+/// The number behind the first bracket.
+double time_in(const std::string& failure) {
+  return std::stod(failure.substr(failure.find('(') + 1));
+}
+
 TEST(Verification, StartsAsNotRun) {
   EXPECT_FALSE(Verification{}.run);
   EXPECT_FALSE(Verification{}.passed);
@@ -116,7 +121,8 @@ TEST(Verification, CatchesACurveThatLeavesTheSeamBetweenWaypoints) {
   nodes.velocities[kFaulty][1] = v;
   nodes.velocities[kFaulty + 1][1] = -v;
   const Verification result = check(task, nodes.curve());
-  expect_failure(result, {"between waypoints (4.5", "y is 0.00"});
+  expect_failure(result, {"between waypoints (", "y is 0.00"});
+  EXPECT_NEAR(time_in(result.failures[0]), 4.5, 0.01);
   EXPECT_EQ(result.tolerance_excess, Vector6::Zero());
   EXPECT_NEAR(result.tolerance_excess_between[1], 5e-6, 1e-6);
 
@@ -131,7 +137,9 @@ TEST(Verification, CatchesACurveThatTurnsTooFarBetweenWaypoints) {
   const double v = (0.1 + task.between_angle + 1e-4) / 0.3125;
   nodes.velocities[kFaulty][3] = v;
   nodes.velocities[kFaulty + 1][3] = -v;
-  expect_failure(check(task, nodes.curve()), {"between waypoints (4.5", "rx is 0.005"});
+  const Verification result = check(task, nodes.curve());
+  expect_failure(result, {"between waypoints (", "rx is 0.005"});
+  EXPECT_NEAR(time_in(result.failures[0]), 4.5, 0.01);
 }
 
 /// Points cut a corner of the seam: the deviation between them is a warning.

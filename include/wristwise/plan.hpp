@@ -57,7 +57,7 @@ struct RefineStatistics {
   int control_points = 0;
   int constraint_points = 0;
   std::string termination;
-  double objective = 0;      ///< integral over time (F20)
+  double objective = 0;      ///< integral over time (F14)
   double max_violation = 0;  ///< of the constraints at their points
   std::vector<CostTerm> terms;
 };

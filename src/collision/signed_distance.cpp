@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "collision/fcl_nearest_points.hpp"
 #include "collision/nearest_points.hpp"
 #include "collision/normal_search.hpp"
 #include "collision/penetration.hpp"
@@ -79,6 +80,7 @@ void move_to_contact(const PlacedShape& a, const PlacedShape& b, CertifiedDistan
 }
 
 SignedDistance between_cores(const PlacedShape& a, const PlacedShape& b) {
+  if (const auto found = fcl_nearest_points(a, b, kCertified)) return about_middle(*found);
   const Eigen::Vector3d offset = b.pose.translation() - a.pose.translation();
   const double length = offset.norm();
   const Eigen::Vector3d guess =

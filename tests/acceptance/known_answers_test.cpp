@@ -26,7 +26,9 @@ TEST_P(KnownGraph, HasItsLeastCost) {
   const bool all = GetParam() == Turns::all;
   EXPECT_EQ(result.status, Status::solved);
   EXPECT_EQ(result.graph.vertices, all ? 82786U : 21600U);
-  if (!all) EXPECT_EQ(result.graph.edges, 15033600);
+  if (!all) {
+    EXPECT_EQ(result.graph.edges, 15033600);
+  }
   EXPECT_NEAR(result.graph.cost, 0.858493816637, 1e-9);
   double l1 = 0;
   for (std::size_t i = 0; i + 1 < result.path.size(); ++i) {
