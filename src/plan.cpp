@@ -205,8 +205,6 @@ class Pipeline {
     for (const std::string& line : result_.verification.failures) {
       result_.diagnosis.push_back({std::nullopt, "verification", line, ""});
     }
-    const auto& warnings = result_.verification.warnings;
-    result_.warnings.insert(result_.warnings.end(), warnings.begin(), warnings.end());
   }
 
   const Problem& problem_;

@@ -7,7 +7,7 @@
 #include "app/commands.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
-#include "kinematics/similar_names.hpp"
+#include "similar_names.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise::app {

@@ -11,17 +11,22 @@ namespace wristwise::app {
 
 namespace {
 
+std::size_t waypoint_count(const PlanResult& result, const Problem& problem) {
+  return result.mode == Mode::smooth ? result.path.size() : problem.task.waypoints.size();
+}
+
 std::string headline(const PlanResult& result, const Problem& problem) {
   const Seam& seam = problem.task.seam;
   return fmt::format(
       "{}: {} ({}, {} waypoints, {} m in {} s)\n", problem.name.empty() ? "problem" : problem.name,
-      status_name(result.status), mode_name(result.mode), problem.task.waypoints.size(),
+      status_name(result.status), mode_name(result.mode), waypoint_count(result, problem),
       short_number(seam.length()), short_number(seam.end_time() - seam.start_time()));
 }
 
 std::string diagnosis_lines(const PlanResult& result) {
   std::string text;
   for (const Diagnosis& entry : result.diagnosis) {
+    if (entry.reason == "verification") continue;  // the table of the check says it
     text += "  " + entry.reason;
     if (entry.waypoint) text += fmt::format(" at waypoint {}", *entry.waypoint);
     text += ": " + entry.detail + "\n";

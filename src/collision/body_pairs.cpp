@@ -4,7 +4,7 @@
 #include <set>
 
 #include "collision/geometry_check.hpp"
-#include "kinematics/similar_names.hpp"
+#include "similar_names.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/similar_names.hpp"
+#include "similar_names.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {

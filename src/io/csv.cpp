@@ -8,7 +8,7 @@
 
 #include "io/quantity.hpp"
 #include "io/text_file.hpp"
-#include "kinematics/similar_names.hpp"
+#include "similar_names.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "io/coordinate_keys.hpp"
 #include "io/problem_sections.hpp"
 
@@ -49,11 +51,15 @@ CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
 }
 
 GraphOptions read_graph(const ConfigReader& reader) {
-  reader.expect_keys({"samples", "turns", "planner"});
+  reader.expect_keys({"samples", "turns", "max_stray", "planner"});
   GraphOptions graph;
   if (const auto samples = reader.find("samples")) graph.step = read_samples(*samples);
   if (const auto turns = reader.find("turns"))
     graph.turns = turns->choice({"all", "principal"}) == "all" ? Turns::all : Turns::principal;
+  if (const auto stray = reader.find("max_stray")) {
+    graph.max_stray = stray->is_word("off") ? std::numeric_limits<double>::infinity()
+                                            : stray->positive(Quantity::length);
+  }
   if (const auto planner = reader.find("planner")) planner->choice({"dense"});
   return graph;
 }

@@ -194,7 +194,7 @@ std::string result_json(const PlanResult& result, const Problem& problem) {
   Json contacts = Json::array();
   for (const auto& pair : result.permanent_contacts) contacts.push_back(names(pair));
   const std::size_t waypoints =
-      result.path.size() > 0 ? result.path.size() : problem.task.waypoints.size();
+      result.mode == Mode::smooth ? result.path.size() : problem.task.waypoints.size();
   return printed({{"status", status_name(result.status)},
                   {"mode", mode_name(result.mode)},
                   {"waypoints", waypoints},

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "io/problem_sections.hpp"
-#include "kinematics/similar_names.hpp"
+#include "similar_names.hpp"
 #include "wristwise/mesh.hpp"
 
 namespace wristwise {

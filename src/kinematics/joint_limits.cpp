@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "kinematics/similar_names.hpp"
+#include "similar_names.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {

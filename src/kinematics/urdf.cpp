@@ -12,10 +12,10 @@
 
 #include "kinematics/joint_limits.hpp"
 #include "kinematics/link_adjacency.hpp"
-#include "kinematics/similar_names.hpp"
 #include "kinematics/urdf_collision.hpp"
 #include "kinematics/urdf_document.hpp"
 #include "kinematics/urdf_joint.hpp"
+#include "similar_names.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
@@ -62,8 +62,10 @@ class ChainReader {
         where_(source.urdf.string()),
         document_(read_urdf(source.urdf)),
         mesh_folders_{source.urdf.parent_path(), source.packages} {
-    if (!source.limits.empty()) limits_ = read_joint_limits(source.limits);
     parts_.warnings = document_.warnings;
+    if (source.limits.empty()) return;
+    limits_ = read_joint_limits(source.limits);
+    warn_of_strange_limits();
   }
 
   Robot read() {
@@ -79,6 +81,18 @@ class ChainReader {
     int joint = -1;
     Pose pose = Pose::Identity();
   };
+
+  /// A misspelt joint would otherwise go without its limits unnoticed.
+  void warn_of_strange_limits() {
+    std::vector<std::string> names;
+    for (const auto& entry : document_.model->joints_) names.push_back(entry.first);
+    for (const auto& entry : limits_) {
+      if (document_.model->joints_.count(entry.first) > 0) continue;
+      parts_.warnings.push_back(source_.limits.string() + " gives limits of '" + entry.first +
+                                "', which is no joint of the robot; the nearest is " +
+                                similar_names(entry.first, names, 1));
+    }
+  }
 
   void find_chain() {
     const urdf::ModelInterface& model = *document_.model;

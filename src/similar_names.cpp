@@ -1,4 +1,4 @@
-#include "kinematics/similar_names.hpp"
+#include "similar_names.hpp"
 
 #include <algorithm>
 #include <numeric>
