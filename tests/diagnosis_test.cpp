@@ -87,10 +87,15 @@ struct Moves {
   }
 };
 
+Diagnosis diagnose(const Moves& moves, const std::shared_ptr<const ClearanceModel>& clearance,
+                   double max_stray = gantry::kUnlimited) {
+  const MoveChecker checker(task(), clearance, max_stray, 5e-5, 1);
+  return diagnose_moves(task(), moves.sampled, moves.rules, moves.path, checker, clearance, 5e-5);
+}
+
 TEST(DiagnoseMoves, NamesTheJointThatIsTooSlow) {
   const Moves moves({gantry::posture(0.5, 0.4, 0, 0), gantry::posture(0, 0.3, 0.1, 0)}, 0.2);
-  const Diagnosis diagnosis = diagnose_moves(*gantry::robot(), task(), moves.sampled, moves.rules,
-                                             moves.path, gantry::clearance(gantry::robot()), 5e-5);
+  const Diagnosis diagnosis = diagnose(moves, gantry::clearance(gantry::robot()));
   EXPECT_EQ(diagnosis.waypoint, 2U);
   EXPECT_EQ(diagnosis.reason, "no_edge");
   EXPECT_TRUE(says(diagnosis.detail, "waypoint 2 (2 s)")) << diagnosis.detail;
@@ -103,14 +108,23 @@ TEST(DiagnoseMoves, NamesThePairThatBlocksTheNearestMove) {
   const Moves moves({gantry::posture(1, 0, 0), gantry::posture(1.1, 0, 0)}, gantry::kUnlimited);
   SceneObject post = gantry::obstacle(Cylinder{0.05, 4}, 0.5, 0, 0);
   post.name = "post";
-  const auto clearance = gantry::clearance(gantry::robot(), {post}, 0.01);
-  const Diagnosis diagnosis = diagnose_moves(*gantry::robot(), task(), moves.sampled, moves.rules,
-                                             moves.path, clearance, 5e-5);
+  const Diagnosis diagnosis = diagnose(moves, gantry::clearance(gantry::robot(), {post}, 0.01));
   EXPECT_EQ(diagnosis.waypoint, 2U);
   EXPECT_EQ(diagnosis.reason, "collision");
   EXPECT_TRUE(says(diagnosis.detail, "ball - post")) << diagnosis.detail;
   EXPECT_TRUE(says(diagnosis.detail, "from waypoint 1")) << diagnosis.detail;
   EXPECT_FALSE(diagnosis.suggestion.empty());
+}
+
+/// The seam is at x = 0.4375 at three quarters of the stretch, held to 0.1 m; the moves are at 0.75
+/// and 0.825 then.
+TEST(DiagnoseMoves, SaysHowFarTheTcpStrays) {
+  const Moves moves({gantry::posture(1.1, 0, 0), gantry::posture(1, 0, 0)}, gantry::kUnlimited);
+  const Diagnosis diagnosis = diagnose(moves, gantry::clearance(gantry::robot()), 0.01);
+  EXPECT_EQ(diagnosis.waypoint, 2U);
+  EXPECT_EQ(diagnosis.reason, "no_edge");
+  EXPECT_TRUE(says(diagnosis.detail, "by 212.5 mm")) << diagnosis.detail;
+  EXPECT_TRUE(says(diagnosis.suggestion, "max_stray")) << diagnosis.suggestion;
 }
 
 }  // namespace

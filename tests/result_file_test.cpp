@@ -57,6 +57,7 @@ void expect_first_keys(const Json& json, const std::vector<std::string>& expecte
 
 TEST(ResultFile, HasTheKeysOfTheContract) {
   PlanResult result = parabola();
+  result.mode = Mode::smooth;  // the rows are the waypoints
   result.refine.terms = {{"jerk", 3, 1}};
   result.diagnosis.push_back({std::size_t{7}, "collision", "detail", "suggestion"});
   const Json json = Json::parse(result_json(result, slider_problem()));

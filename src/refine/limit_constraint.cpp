@@ -4,7 +4,8 @@ namespace wristwise {
 
 namespace {
 
-constexpr double kMargin = 1e-6;
+constexpr double kPositionMargin = 1e-6;  // rad or m
+constexpr double kRateMargin = 1e-3;      // of the limit
 
 double magnitude_limit(const Joint& joint, int derivative) {
   switch (derivative) {
@@ -44,13 +45,13 @@ std::vector<LimitConstraint> limit_constraints(const Robot& robot, const SplineB
       for (int j = 0; j < robot.joint_count(); ++j) {
         const Joint& joint = robot.joints()[static_cast<std::size_t>(j)];
         if (derivative == 0) {
-          const double margin = std::min(kMargin, 0.25 * (joint.upper - joint.lower));
+          const double margin = std::min(kPositionMargin, 0.25 * (joint.upper - joint.lower));
           if (std::isfinite(joint.lower) || std::isfinite(joint.upper)) {
             add_joint(constraint, j, 1, joint.lower + margin, joint.upper - margin);
           }
         } else if (std::isfinite(magnitude_limit(joint, derivative))) {
-          add_joint(constraint, j, 1 / magnitude_limit(joint, derivative), kMargin - 1,
-                    1 - kMargin);
+          add_joint(constraint, j, 1 / magnitude_limit(joint, derivative), kRateMargin - 1,
+                    1 - kRateMargin);
         }
       }
       if (!constraint.rows.empty()) constraints.push_back(std::move(constraint));

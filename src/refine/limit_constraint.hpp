@@ -24,7 +24,7 @@ struct LimitConstraint {
 };
 
 /// The limits of every control point of the position and its first three derivatives, kept by a
-/// small margin: 1e-6 rad or m, or 1e-6 of the limit.
+/// small margin: 1e-6 rad or m of positions, 1e-3 of the limit of derivatives.
 std::vector<LimitConstraint> limit_constraints(const Robot& robot, const SplineBasis& basis);
 
 }  // namespace wristwise

@@ -16,15 +16,50 @@ namespace {
 /// First mu, as a share of the seed's objective. A soft start lets the path leave the seam for a
 /// while, and finds its way out of a spiky seed; a stiff one stays close to the seed.
 constexpr std::array<double, 3> kStartShares = {0.05, 5, 500};
-constexpr double kGrowth = 10;         ///< of mu in a round that gains too little
-constexpr double kMuRange = 1e9;       ///< largest mu / first mu
-constexpr double kStiff = 1e3;         ///< mu / first mu from which a stall means too few knots
-constexpr double kBand = 0.02;         ///< m; pairs that are nearer than this get a constraint
-constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
+constexpr double kGrowth = 10;           ///< of mu in a round that gains too little
+constexpr double kMuRange = 1e9;         ///< largest mu / first mu
+constexpr double kStiff = 1e3;           ///< mu / first mu from which a stall means too few knots
+constexpr double kRateShare = 0.1;       ///< first mu of rates, as a share of the objective
+constexpr double kRateTolerance = 5e-4;  ///< of rates, half the margin they are kept by
+constexpr double kBand = 0.02;           ///< m; pairs that are nearer than this get a constraint
+constexpr double kBetweenShare = 0.5;    ///< of the between-tolerance, at added points
 constexpr int kSamplesBetween = 10;
 constexpr int kStalledRounds = 2;
 constexpr int kFewestSpans = 100;
 constexpr double kSettled = 1e-5;  ///< relative change of the objective between rounds
+
+/// Constraints that share a unit, and so a penalty parameter.
+struct Group {
+  double first_mu = 0;
+  double mu = 0;
+  double violation = 0;  ///< largest, in the last round
+  double best_violation = INFINITY;
+  int stalled = 0;
+
+  void raise(double value) { violation = std::max(violation, value); }
+
+  /// After a round that left a violation: larger mu where it gained too little. False where that
+  /// does not help any more: the curve has too few knots, or there is no solution.
+  bool tighten() {
+    stalled = violation > 0.5 * best_violation ? stalled + 1 : 0;
+    if (mu >= kMuRange * first_mu || (stalled >= kStalledRounds && mu > kStiff * first_mu)) {
+      return false;
+    }
+    if (violation > 0.1 * best_violation) mu *= kGrowth;
+    best_violation = std::min(best_violation, violation);
+    return true;
+  }
+
+  void restart() {
+    best_violation = INFINITY;
+    stalled = 0;
+  }
+
+  void soften() {
+    restart();
+    mu = std::max(first_mu, mu / (kGrowth * kGrowth));
+  }
+};
 
 /// One run of the augmented Lagrangian from a seed.
 class Attempt {
@@ -39,8 +74,7 @@ class Attempt {
         spline_(fit_spline(seed, choose_breakpoints(seed.times, spacing_))) {
     initial_ = objective_terms(weights_, input.robot, input.task, seed);
     const double duration = seed.times.back() - seed.times.front();
-    first_mu_ = start_share * std::max(initial_.total(), 1e-3 / duration);
-    mu_ = first_mu_;
+    places_.first_mu = places_.mu = start_share * std::max(initial_.total(), 1e-3 / duration);
     for (const Waypoint& waypoint : input.task.waypoints) {
       points_.push_back(constraint_at_waypoint(waypoint, spline_.basis));
     }
@@ -49,36 +83,24 @@ class Attempt {
 
   Refined run() {
     double last_objective = initial_.total();
-    double best_violation = INFINITY;
-    int stalled = 0;
     for (round_ = 0; round_ < input_.options.max_rounds; ++round_) {
       input_.monitor.report("refine", static_cast<double>(round_) / input_.options.max_rounds);
       add_near_pairs_everywhere();
       const bool settled_inside = minimise_once();
-      const double violation = measure();
+      measure();
       const double objective = terms().total();
       const bool settled =
           settled_inside && std::abs(objective - last_objective) <= kSettled * objective;
       last_objective = objective;
-      statistics_.max_violation = violation;
-      if (violation <= input_.options.constraint_tolerance && settled) {
-        if (!add_dips()) return finish(true, "converged");
-        best_violation = INFINITY;
-        stalled = 0;
-        continue;
+      if (!holds() || !settled) {
+        update_multipliers();
+        if (!tighten(objective)) return finish(false, "the constraints can't be met together");
+      } else if (!add_dips()) {
+        return finish(true, "converged");
+      } else {
+        places_.restart();
+        rates_.restart();
       }
-      update_multipliers();
-      if (violation <= input_.options.constraint_tolerance) continue;
-      stalled = violation > 0.5 * best_violation ? stalled + 1 : 0;
-      const bool exhausted = mu_ >= kMuRange * first_mu_;
-      if (exhausted || (stalled >= kStalledRounds && mu_ > kStiff * first_mu_)) {
-        if (!refine_knots()) return finish(false, "the constraints can't be met together");
-        stalled = 0;
-        best_violation = INFINITY;
-        continue;
-      }
-      if (violation > 0.1 * best_violation) mu_ *= kGrowth;
-      best_violation = std::min(best_violation, violation);
     }
     return finish(false, "round limit");
   }
@@ -112,7 +134,8 @@ class Attempt {
     if (breakpoints.size() <= count) return false;
     spline_ = fit_spline(current, std::move(breakpoints));
     prepare_basis();
-    mu_ = std::max(first_mu_, mu_ / (kGrowth * kGrowth));
+    places_.soften();
+    rates_.soften();
     return true;
   }
 
@@ -123,8 +146,9 @@ class Attempt {
   }
 
   bool minimise_once() {
-    const AugmentedProblem problem{input_.robot,  checker_, weights_.joint, span_factors_,
-                                   euler_points_, points_,  limits_,        mu_};
+    const AugmentedProblem problem{input_.robot,  checker_,      weights_.joint,
+                                   span_factors_, euler_points_, points_,
+                                   limits_,       places_.mu,    rates_.mu};
     const InnerSummary inner =
         minimise(problem, spline_, input_.options.max_iterations, 1e-8, input_.monitor);
     statistics_.iterations += inner.iterations;
@@ -132,36 +156,57 @@ class Attempt {
     return inner.converged;
   }
 
-  /// The largest violation; keeps the values for the update of the multipliers.
-  double measure() {
-    double violation = 0;
+  /// Finds the largest violations; keeps the values for the update of the multipliers.
+  void measure() {
+    places_.violation = rates_.violation = 0;
     values_.resize(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
       PointConstraint& point = points_[i];
-      evaluate(point, checker_, spline_.evaluate(point.time), mu_, false, values_[i]);
+      evaluate(point, checker_, spline_.evaluate(point.time), places_.mu, false, values_[i]);
       for (std::size_t r = 0; r < point.rows.size(); ++r) {
-        violation = std::max(
-            violation, point.rows[r].bounds.violation(values_[i].c[static_cast<Eigen::Index>(r)]));
+        places_.raise(point.rows[r].bounds.violation(values_[i].c[static_cast<Eigen::Index>(r)]));
       }
     }
     for (const LimitConstraint& limit : limits_) {
       for (std::size_t r = 0; r < limit.rows.size(); ++r) {
-        violation = std::max(violation, limit.rows[r].violation(limit.value(spline_.control, r)));
+        group_of(limit).raise(limit.rows[r].violation(limit.value(spline_.control, r)));
       }
     }
-    return violation;
   }
+
+  bool holds() const {
+    return places_.violation <= input_.options.constraint_tolerance &&
+           rates_.violation <= kRateTolerance;
+  }
+
+  /// Larger mu, or more knots, where the violation does not fall; false if there is nothing left to
+  /// try.
+  bool tighten(double objective) {
+    if (rates_.violation > kRateTolerance) {
+      if (rates_.mu == 0)
+        rates_.first_mu = rates_.mu = kRateShare * objective;
+      else if (!rates_.tighten())
+        return refine_knots();
+    }
+    if (places_.violation > input_.options.constraint_tolerance) {
+      if (!places_.tighten()) return refine_knots();
+    }
+    return true;
+  }
+
+  Group& group_of(const LimitConstraint& limit) { return limit.derivative == 0 ? places_ : rates_; }
 
   void update_multipliers() {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       for (std::size_t r = 0; r < points_[i].rows.size(); ++r) {
         points_[i].rows[r].bounds.update_multiplier(values_[i].c[static_cast<Eigen::Index>(r)],
-                                                    mu_);
+                                                    places_.mu);
       }
     }
     for (LimitConstraint& limit : limits_) {
-      for (std::size_t r = 0; r < limit.rows.size(); ++r) {
-        limit.rows[r].update_multiplier(limit.value(spline_.control, r), mu_);
+      const double mu = group_of(limit).mu;
+      for (std::size_t r = 0; mu > 0 && r < limit.rows.size(); ++r) {
+        limit.rows[r].update_multiplier(limit.value(spline_.control, r), mu);
       }
     }
   }
@@ -187,6 +232,7 @@ class Attempt {
     statistics_.rounds = round_ + 1;
     statistics_.control_points = spline_.basis.control_count();
     statistics_.constraint_points = static_cast<int>(points_.size());
+    statistics_.max_violation = places_.violation;
     statistics_.termination = termination;
     statistics_.objective = final_terms.total();
     statistics_.terms = {{"joint_motion", initial_.joint_motion, final_terms.joint_motion},
@@ -205,8 +251,8 @@ class Attempt {
   double spacing_;
   Spline spline_;
   ObjectiveTerms initial_;
-  double first_mu_ = 0;
-  double mu_ = 0;
+  Group places_;  ///< constraints in m and rad
+  Group rates_;   ///< shares of velocity, acceleration and jerk limits
   int round_ = 0;
   std::vector<PointConstraint> points_;
   std::vector<LimitConstraint> limits_;

@@ -43,8 +43,10 @@ void add_residuals(const AugmentedProblem& augmented, Spline& spline, ceres::Pro
                              nullptr, blocks_from(spline, point.basis.first, kLocal));
   }
   for (const LimitConstraint& limit : augmented.limits) {
+    const double mu = limit.derivative == 0 ? augmented.mu : augmented.rate_mu;
+    if (mu == 0) continue;
     problem.AddResidualBlock(
-        limit_cost(limit, augmented.robot.joint_count(), augmented.mu), nullptr,
+        limit_cost(limit, augmented.robot.joint_count(), mu), nullptr,
         blocks_from(spline, limit.first, static_cast<int>(limit.weights.size())));
   }
 }

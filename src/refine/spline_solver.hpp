@@ -19,7 +19,8 @@ struct AugmentedProblem {
   const std::vector<EulerPoint>& euler_points;
   const std::vector<PointConstraint>& points;
   const std::vector<LimitConstraint>& limits;
-  double mu = 1;
+  double mu = 1;       ///< of constraints in m and rad
+  double rate_mu = 0;  ///< of velocity, acceleration and jerk as shares of their limits; 0: none
 };
 
 struct InnerSummary {
