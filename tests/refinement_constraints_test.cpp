@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "gantry.hpp"
@@ -97,8 +98,9 @@ TEST(LimitConstraints, KeepASmallMargin) {
       const Joint& joint = robot.joints()[static_cast<std::size_t>(limit.joints[k])];
       const double lower = limit.derivative == 0 ? joint.lower : -1;
       const double upper = limit.derivative == 0 ? joint.upper : 1;
-      EXPECT_NEAR(limit.rows[k].lower, lower + 1e-6, 1e-12);
-      EXPECT_NEAR(limit.rows[k].upper, upper - 1e-6, 1e-12);
+      const double margin = limit.derivative == 0 ? 1e-6 : 1e-3;
+      EXPECT_NEAR(limit.rows[k].lower, lower + margin, 1e-12);
+      EXPECT_NEAR(limit.rows[k].upper, upper - margin, 1e-12);
     }
   }
 }
@@ -212,18 +214,22 @@ TEST(FindDips, FindsTheWorstTimeOfEachInterval) {
   Spline spline = fit_spline(path, path.times);
   EXPECT_TRUE(find_dips(task, spline, checker, 0, 10).empty());
   spline.control(1, 7) += 0.01;
-  const auto dips = find_dips(task, spline, checker, 0, 10);
-  ASSERT_FALSE(dips.empty());
-  for (const Dip& dip : dips) {
+  std::map<std::size_t, double> found;
+  for (const Dip& dip : find_dips(task, spline, checker, 0, 10)) {
+    EXPECT_NEAR(std::abs(spline.evaluate(dip.time)[1]) - 0.0011, dip.depth, 1e-9);
+    found[dip.interval] = dip.depth;
+  }
+  int deep = 0;
+  for (std::size_t i = 0; i < 10; ++i) {
     double deepest = 0;
-    for (double t = task.waypoints[dip.interval].time; t <= task.waypoints[dip.interval + 1].time;
-         t += 1e-3) {
+    for (double t = task.waypoints[i].time; t <= task.waypoints[i + 1].time; t += 1e-3) {
       deepest = std::max(deepest, std::abs(spline.evaluate(t)[1]) - 0.001 - task.between_position);
     }
-    EXPECT_LE(dip.depth, deepest + 1e-9);
-    EXPECT_GT(dip.depth, 0.95 * deepest);
-    EXPECT_NEAR(std::abs(spline.evaluate(dip.time)[1]) - 0.0011, dip.depth, 1e-9);
+    EXPECT_LE(found[i], deepest + 1e-9);
+    EXPECT_GE(found[i], 0.95 * deepest - 1e-5);
+    if (deepest > 1e-4) ++deep;
   }
+  EXPECT_GT(deep, 2);
 }
 
 TEST(FindDips, FindsAnObstacleBetweenWaypoints) {

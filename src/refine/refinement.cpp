@@ -15,18 +15,21 @@ namespace {
 
 /// First mu, as a share of the seed's objective. A soft start lets the path leave the seam for a
 /// while, and finds its way out of a spiky seed; a stiff one stays close to the seed.
-constexpr std::array<double, 3> kStartShares = {0.05, 5, 500};
-constexpr double kGrowth = 10;           ///< of mu in a round that gains too little
-constexpr double kMuRange = 1e9;         ///< largest mu / first mu
-constexpr double kStiff = 1e3;           ///< mu / first mu from which a stall means too few knots
+constexpr std::array<double, 3> kStartShares = {1, 0.1, 100};
+constexpr double kGrowth = 10;     ///< of mu in a round that gains too little
+constexpr double kMuRange = 1e12;  ///< largest mu / first mu
+constexpr double kFloor = 1e-4;  ///< m and rad; a violation that stalls below this wants more knots
+constexpr double kSoftening = 1e-4;      ///< of mu when the curve gets more knots
 constexpr double kRateShare = 0.1;       ///< first mu of rates, as a share of the objective
 constexpr double kRateTolerance = 5e-4;  ///< of rates, half the margin they are kept by
 constexpr double kBand = 0.02;           ///< m; pairs that are nearer than this get a constraint
 constexpr double kBetweenShare = 0.5;    ///< of the between-tolerance, at added points
 constexpr int kSamplesBetween = 10;
 constexpr int kStalledRounds = 2;
-constexpr int kFewestSpans = 100;
-constexpr double kSettled = 1e-5;  ///< relative change of the objective between rounds
+constexpr int kPatience = 2;  ///< rounds in which the inner solver may run out of iterations
+constexpr double kFewestSpans = 100;
+constexpr double kTurnOfASpan = 0.25;  ///< rad, of the seam
+constexpr double kSettled = 1e-4;      ///< relative change of the objective between rounds
 
 /// Constraints that share a unit, and so a penalty parameter.
 struct Group {
@@ -41,10 +44,9 @@ struct Group {
   /// After a round that left a violation: larger mu where it gained too little. False where that
   /// does not help any more: the curve has too few knots, or there is no solution.
   bool tighten() {
-    stalled = violation > 0.5 * best_violation ? stalled + 1 : 0;
-    if (mu >= kMuRange * first_mu || (stalled >= kStalledRounds && mu > kStiff * first_mu)) {
-      return false;
-    }
+    const bool stalls = violation > 0.5 * best_violation;
+    stalled = stalls && violation < kFloor ? stalled + 1 : 0;
+    if (mu >= kMuRange * first_mu || stalled >= kStalledRounds) return false;
     if (violation > 0.1 * best_violation) mu *= kGrowth;
     best_violation = std::min(best_violation, violation);
     return true;
@@ -57,9 +59,22 @@ struct Group {
 
   void soften() {
     restart();
-    mu = std::max(first_mu, mu / (kGrowth * kGrowth));
+    mu = std::max(first_mu, kSoftening * mu);
   }
 };
+
+/// How far the direction of travel turns along the waypoints, rad.
+double seam_turning(const Task& task) {
+  double turning = 0;
+  Eigen::Vector3d last = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
+    const Eigen::Vector3d step =
+        task.waypoints[i + 1].frame.translation() - task.waypoints[i].frame.translation();
+    turning += std::atan2(last.cross(step).norm(), last.dot(step));
+    last = step;
+  }
+  return turning;
+}
 
 /// One run of the augmented Lagrangian from a seed.
 class Attempt {
@@ -71,10 +86,10 @@ class Attempt {
         checker_(input.clearance),
         required_(input.clearance->clearance() + input.options.clearance_epsilon),
         spacing_(first_spacing(seed)),
-        spline_(fit_spline(seed, choose_breakpoints(seed.times, spacing_))) {
+        spline_(fit_spline(seed, choose_breakpoints(seed.times, spacing_), seed_smoothing(seed))) {
     initial_ = objective_terms(weights_, input.robot, input.task, seed);
     const double duration = seed.times.back() - seed.times.front();
-    places_.first_mu = places_.mu = start_share * std::max(initial_.total(), 1e-3 / duration);
+    places_.first_mu = places_.mu = start_share * std::max(terms().total(), 1e-6 / duration);
     for (const Waypoint& waypoint : input.task.waypoints) {
       points_.push_back(constraint_at_waypoint(waypoint, spline_.basis));
     }
@@ -83,6 +98,7 @@ class Attempt {
 
   Refined run() {
     double last_objective = initial_.total();
+    int unsettled = 0;
     for (round_ = 0; round_ < input_.options.max_rounds; ++round_) {
       input_.monitor.report("refine", static_cast<double>(round_) / input_.options.max_rounds);
       add_near_pairs_everywhere();
@@ -94,7 +110,10 @@ class Attempt {
       last_objective = objective;
       if (!holds() || !settled) {
         update_multipliers();
-        if (!tighten(objective)) return finish(false, "the constraints can't be met together");
+        unsettled = settled_inside ? 0 : unsettled + 1;
+        const bool is_due = settled_inside || unsettled > kPatience;
+        if (is_due && !tighten(objective))
+          return finish(false, "the constraints can't be met together");
       } else if (!add_dips()) {
         return finish(true, "converged");
       } else {
@@ -102,7 +121,7 @@ class Attempt {
         rates_.restart();
       }
     }
-    return finish(false, "round limit");
+    return finish(holds() && !add_dips(), "round limit");
   }
 
  private:
@@ -110,7 +129,15 @@ class Attempt {
     const RefineOptions& options = input_.options;
     if (options.knot_spacing > 0) return options.knot_spacing;
     const double duration = seed.times.back() - seed.times.front();
-    return std::min(0.4 * options.smoothing_time, duration / kFewestSpans);
+    const double spans = std::max(kFewestSpans, seam_turning(input_.task) / kTurnOfASpan);
+    return std::min(0.4 * options.smoothing_time, duration / spans);
+  }
+
+  /// The steps of the sampling grid in a seed say nothing about the motion.
+  double seed_smoothing(const JointPath& seed) const {
+    const double duration = seed.times.back() - seed.times.front();
+    const double spans = std::max(20.0, seam_turning(input_.task) / kTurnOfASpan);
+    return std::min(0.4 * input_.options.smoothing_time, duration / spans);
   }
 
   void prepare_basis() {
@@ -134,6 +161,7 @@ class Attempt {
     if (breakpoints.size() <= count) return false;
     spline_ = fit_spline(current, std::move(breakpoints));
     prepare_basis();
+    forget_multipliers();
     places_.soften();
     rates_.soften();
     return true;
@@ -180,13 +208,15 @@ class Attempt {
   }
 
   /// Larger mu, or more knots, where the violation does not fall; false if there is nothing left to
-  /// try.
+  /// try. Rates count once the places all but hold: pressed into their limits earlier, they would
+  /// lock a curve that still has to find its place.
   bool tighten(double objective) {
     if (rates_.violation > kRateTolerance) {
-      if (rates_.mu == 0)
+      if (rates_.mu > 0) {
+        if (!rates_.tighten()) return refine_knots();
+      } else if (places_.violation <= kFloor) {
         rates_.first_mu = rates_.mu = kRateShare * objective;
-      else if (!rates_.tighten())
-        return refine_knots();
+      }
     }
     if (places_.violation > input_.options.constraint_tolerance) {
       if (!places_.tighten()) return refine_knots();
@@ -195,6 +225,13 @@ class Attempt {
   }
 
   Group& group_of(const LimitConstraint& limit) { return limit.derivative == 0 ? places_ : rates_; }
+
+  /// Those of constraints that could not be met are large and mean nothing.
+  void forget_multipliers() {
+    for (PointConstraint& point : points_) {
+      for (PointConstraint::Row& row : point.rows) row.bounds.multiplier = 0;
+    }
+  }
 
   void update_multipliers() {
     for (std::size_t i = 0; i < points_.size(); ++i) {

@@ -121,7 +121,7 @@ std::vector<double> choose_breakpoints(const std::vector<double>& times, double 
   return breakpoints;
 }
 
-Spline fit_spline(const JointPath& path, std::vector<double> breakpoints) {
+Spline fit_spline(const JointPath& path, std::vector<double> breakpoints, double smoothing) {
   Spline spline{SplineBasis(std::move(breakpoints)), {}};
   const SplineBasis& basis = spline.basis;
   const int count = basis.control_count();
@@ -146,10 +146,13 @@ Spline fit_spline(const JointPath& path, std::vector<double> breakpoints) {
   const double duration = path.times.back() - path.times.front();
   const double span = duration / basis.span_count();
   const double trace = 1e-9 * static_cast<double>(path.size()) / duration;
+  // sum_i |q(t_i) - q_i|^2 ~ N/T integral |q - q_i|^2: the jerk of waves of period 2 pi smoothing
+  // then counts as much as leaving them out.
+  const double jerk_weight = std::pow(smoothing, 6) * static_cast<double>(path.size()) / duration;
   for (const QuadraturePoint& point : gauss_points(basis.breakpoints())) {
     const SplineBasis::Values values = basis.at(point.time);
     add(values, 2, trace * std::pow(span, 4) * point.weight);
-    add(values, 3, trace * std::pow(span, 6) * point.weight);
+    add(values, 3, (trace * std::pow(span, 6) + jerk_weight) * point.weight);
   }
   Eigen::SparseMatrix<double> matrix(count, count);
   matrix.setFromTriplets(gram.begin(), gram.end());

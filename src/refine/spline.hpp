@@ -54,8 +54,8 @@ struct Spline {
 /// the first and the last time are kept.
 std::vector<double> choose_breakpoints(const std::vector<double>& times, double spacing);
 
-/// Least-squares fit to a path; a trace of acceleration and jerk settles what the
-/// path leaves open.
-Spline fit_spline(const JointPath& path, std::vector<double> breakpoints);
+/// Least-squares fit to a path; a trace of acceleration and jerk settles what the path leaves open.
+/// Wiggles of the path that are shorter than about `smoothing` (s) are ironed out.
+Spline fit_spline(const JointPath& path, std::vector<double> breakpoints, double smoothing = 0);
 
 }  // namespace wristwise

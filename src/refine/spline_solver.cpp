@@ -64,6 +64,9 @@ InnerSummary minimise(const AugmentedProblem& augmented, Spline& spline, int max
   options.function_tolerance = function_tolerance;
   options.gradient_tolerance = 1e-14;
   options.parameter_tolerance = 1e-12;
+  // Rows of rates are stiff (a derivative of order k weighs a control point by 1 / span^k) and
+  // switch on and off: strictly falling steps stall among them.
+  options.use_nonmonotonic_steps = augmented.rate_mu > 0;
   options.num_threads = 1;
   options.logging_type = ceres::SILENT;
   options.callbacks.push_back(&stop);
