@@ -61,25 +61,20 @@ Diagnosis diagnose_waypoint(const Robot& robot, const Task& task, std::size_t wa
   return diagnosis;
 }
 
-/// Moves from the end of the path found to the next rung that can be made in time.
-struct NextMoves {
+/// The vertex of the next rung that is nearest to `from` among those that can be reached in time;
+/// -1 if there is none.
+Eigen::Index nearest_in_time(const Rung& next, const JointVector& from, const EdgeRules& rules,
+                             std::size_t interval) {
   Eigen::Index nearest = -1;
-  double least_stray = std::numeric_limits<double>::infinity();  ///< m
-};
-
-NextMoves next_moves(const Rung& next, const JointVector& from, const EdgeRules& rules,
-                     const MoveChecker& moves, std::size_t interval) {
-  NextMoves found;
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index v = 0; v < next.size(); ++v) {
     const JointVector step = (next.vertex(v) - from).cwiseAbs();
     if ((step.array() > rules.max_step[interval].array()).any()) continue;
-    found.least_stray = std::min(found.least_stray, moves.stray(interval, from, next.vertex(v)));
     if (step.dot(rules.weight) >= least) continue;
     least = step.dot(rules.weight);
-    found.nearest = v;
+    nearest = v;
   }
-  return found;
+  return nearest;
 }
 
 /// The joint that needs the largest share of its step limit for the least such move.
@@ -114,12 +109,12 @@ Diagnosis diagnose_moves(const Task& task, const SampledPath& sampled, const Edg
   const std::size_t last = path.vertices.size() - 1;
   const JointVector from = sampled.rungs[last].vertex(path.vertices.back());
   const Rung& next = sampled.rungs[last + 1];
-  const NextMoves found = next_moves(next, from, rules, moves, last);
+  const Eigen::Index nearest = nearest_in_time(next, from, rules, last);
   Diagnosis diagnosis;
   diagnosis.waypoint = last + 1;
   diagnosis.detail =
       fmt::format("waypoint {} ({:.4g} s): ", last + 1, task.waypoints[last + 1].time);
-  if (found.nearest < 0) {
+  if (nearest < 0) {
     const auto [joint, ratio] = slowest_joint(next, from, rules.max_step[last]);
     diagnosis.reason = "no_edge";
     diagnosis.detail += fmt::format(
@@ -130,7 +125,7 @@ Diagnosis diagnose_moves(const Task& task, const SampledPath& sampled, const Edg
     return diagnosis;
   }
   ClearanceChecker checker(clearance);
-  const SweptClearance swept = check_motion(checker, StraightMove(from, next.vertex(found.nearest)),
+  const SweptClearance swept = check_motion(checker, StraightMove(from, next.vertex(nearest)),
                                             clearance->clearance(), clearance_epsilon);
   if (!swept.clear) {
     const auto names = clearance->names(swept.pair);
@@ -144,9 +139,10 @@ Diagnosis diagnose_moves(const Task& task, const SampledPath& sampled, const Edg
     return diagnosis;
   }
   diagnosis.reason = "no_edge";
-  diagnosis.detail +=
-      fmt::format("every move from waypoint {} swings the TCP off the seam, by {:.1f} mm or more",
-                  last, found.least_stray * 1e3);
+  diagnosis.detail += fmt::format(
+      "every move from waypoint {} is blocked or swings the TCP off the seam, the nearest by "
+      "{:.1f} mm",
+      last, 1e3 * moves.stray(last, from, next.vertex(nearest)));
   diagnosis.suggestion = "sample finer, use more waypoints, or raise graph.max_stray";
   return diagnosis;
 }

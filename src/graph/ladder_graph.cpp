@@ -99,7 +99,8 @@ class Search {
       Eigen::ArrayXd& distance = states_[i + 1].distance;
       if (start_changed || intervals_[i].stale) {
         throw_if_cancelled(monitor_);
-        const Eigen::ArrayXd before = std::move(distance);
+        Eigen::ArrayXd before;
+        before.swap(distance);
         relax(i);
         intervals_[i].stale = false;
         start_changed = before.size() != distance.size() || (before != distance).any();

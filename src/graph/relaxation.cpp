@@ -27,7 +27,7 @@ constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 WRISTWISE_VECTOR_CLONES
 double relax_towards(const RungColumns& from, const double* distance, const double* target,
                      const double* weight, const double* max_step, double* total) {
-  std::array<double, kLanes> least;
+  std::array<double, kLanes> least{};
   least.fill(kUnreachable);
   for (std::size_t begin = 0; begin < from.count; begin += kTile) {
     const std::size_t size = std::min(kTile, from.count - begin);

@@ -18,6 +18,7 @@ int intervals(double width, double step) {
 std::vector<double> free_samples(double step) {
   const int count = intervals(2 * kPi, step);
   std::vector<double> samples;
+  samples.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) samples.push_back(-kPi + k * 2 * kPi / count);
   return samples;
 }
@@ -29,6 +30,7 @@ std::vector<double> coordinate_samples(double lower, double upper, double step) 
   if (lower == upper) return {lower};
   const int count = step > 0 ? intervals(upper - lower, step) : 1;
   std::vector<double> samples;
+  samples.reserve(static_cast<std::size_t>(count) + 2);
   for (int k = 0; k <= count; ++k) {
     samples.push_back(k == count ? upper : lower + k * (upper - lower) / count);
   }

@@ -95,7 +95,8 @@ std::vector<SpanFactor> span_factors(const ObjectiveWeights& weights, const Spli
   for (int span = 0; span < basis.span_count(); ++span) {
     Eigen::Matrix<double, 3 * kPoints, SplineBasis::kLocal> rows;
     for (int i = 0; i < kPoints; ++i) {
-      const QuadraturePoint& point = points[static_cast<std::size_t>(span * kPoints + i)];
+      const QuadraturePoint& point =
+          points[static_cast<std::size_t>(span) * kPoints + static_cast<std::size_t>(i)];
       const SplineBasis::Values values = basis.at(point.time);
       for (int k = 1; k <= 3; ++k) {
         rows.row(3 * i + k - 1) =

@@ -13,8 +13,8 @@ namespace wristwise {
 struct PointConstraint {
   enum class Kind { deviation, joint, clearance };
   struct Row {
-    Kind kind;
-    int index;  ///< coordinate, joint or pair of the clearance model
+    Kind kind = Kind::deviation;
+    int index = 0;  ///< coordinate, joint or pair of the clearance model
     AugmentedRow bounds;
   };
 

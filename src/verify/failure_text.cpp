@@ -50,7 +50,7 @@ std::string joint_limit(const std::string& joint, double time, double excess) {
 
 std::string rate(int derivative, const std::string& joint, double time, double ratio) {
   constexpr std::array<const char*, 4> kNames = {"", "velocity", "acceleration", "jerk"};
-  return fmt::format("{} of {} is {:.3f} times its limit at {:.4g} s",
+  return fmt::format("{} of {} is {:.7g} times its limit at {:.4g} s",
                      kNames[static_cast<std::size_t>(derivative)], joint, ratio, time);
 }
 
