@@ -48,11 +48,11 @@ struct Verification {
 };
 
 /// Checks points joined by straight joint-space moves.
-Verification verify(const Task& task, std::shared_ptr<const ClearanceModel> clearance,
+Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
                     const JointPath& path, const VerificationOptions& options = {});
 
 /// Checks a curve, at waypoints and between them.
-Verification verify(const Task& task, std::shared_ptr<const ClearanceModel> clearance,
+Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
                     const Trajectory& trajectory, const VerificationOptions& options = {});
 
 }  // namespace wristwise

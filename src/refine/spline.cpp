@@ -74,9 +74,9 @@ SplineBasis::Values SplineBasis::at(double t) const {
 
 // (F15) c^(k)_i = (p - k + 1) (c^(k-1)_{i+1} - c^(k-1)_i) / (u_{i+p+1} - u_{i+k}).
 std::vector<double> SplineBasis::derivative_weights(int derivative, int i) const {
-  std::vector<std::vector<double>> weights(static_cast<std::size_t>(derivative + 1));
+  std::vector<std::vector<double>> weights(static_cast<std::size_t>(derivative) + 1);
   for (int m = 0; m <= derivative; ++m) {
-    weights[static_cast<std::size_t>(m)].assign(static_cast<std::size_t>(derivative + 1), 0.0);
+    weights[static_cast<std::size_t>(m)].assign(static_cast<std::size_t>(derivative) + 1, 0.0);
     weights[static_cast<std::size_t>(m)][static_cast<std::size_t>(m)] = 1;
   }
   for (int k = 1; k <= derivative; ++k) {

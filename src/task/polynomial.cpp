@@ -38,7 +38,7 @@ Breaks sign_changes(const Polynomial& p) {
     const Breaks turns = sign_changes(derivative(p));
     for (int i = 0; i + 1 < turns.count; ++i) {
       const double left = turns.at[static_cast<std::size_t>(i)];
-      const double right = turns.at[static_cast<std::size_t>(i + 1)];
+      const double right = turns.at[static_cast<std::size_t>(i) + 1];
       if (evaluate(p, left) * evaluate(p, right) < 0) breaks.add(bisect(p, left, right));
     }
   }

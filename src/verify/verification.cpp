@@ -252,13 +252,13 @@ class Verifier {
 
 }  // namespace
 
-Verification verify(const Task& task, std::shared_ptr<const ClearanceModel> clearance,
+Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
                     const JointPath& path, const VerificationOptions& options) {
   validate(path, clearance->robot().joint_count(), "path");
   return Verifier(task, clearance, PointMotion(path), options).run();
 }
 
-Verification verify(const Task& task, std::shared_ptr<const ClearanceModel> clearance,
+Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
                     const Trajectory& trajectory, const VerificationOptions& options) {
   validate(trajectory.waypoints(), clearance->robot().joint_count(), "trajectory");
   return Verifier(task, clearance, CurveMotion(trajectory), options).run();
