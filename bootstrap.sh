@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-packages=(build-essential cmake ninja-build libeigen3-dev libceres-dev libnlopt-cxx-dev libfcl-dev
+packages=(build-essential cmake ninja-build libeigen3-dev libceres-dev libfcl-dev
   liburdfdom-dev libtinyxml-dev libassimp-dev libqhull-dev libyaml-cpp-dev nlohmann-json3-dev
   libcli11-dev libfmt-dev zlib1g-dev)
 with_tests=OFF

@@ -202,9 +202,18 @@ class Pipeline {
                                : verify(task, clearance_, result_.trajectory, verification_);
     options_.monitor.report("verify", 1);
     result_.status = result_.verification.passed ? Status::solved : Status::failed;
+    if (result_.verification.passed) turn_diagnosis_into_warnings();
     for (const std::string& line : result_.verification.failures) {
       result_.diagnosis.push_back({std::nullopt, "verification", line, ""});
     }
+  }
+
+  /// What stage 2 thought of its own end does not count against a check that passed.
+  void turn_diagnosis_into_warnings() {
+    for (const Diagnosis& diagnosis : result_.diagnosis) {
+      result_.warnings.push_back(diagnosis.detail);
+    }
+    result_.diagnosis.clear();
   }
 
   const Problem& problem_;

@@ -266,7 +266,7 @@ class Attempt {
   Refined finish(bool feasible, const std::string& termination) {
     const ObjectiveTerms final_terms = terms();
     statistics_.run = true;
-    statistics_.rounds = round_ + 1;
+    statistics_.rounds = std::min(round_ + 1, input_.options.max_rounds);
     statistics_.control_points = spline_.basis.control_count();
     statistics_.constraint_points = static_cast<int>(points_.size());
     statistics_.max_violation = places_.violation;
