@@ -7,9 +7,7 @@
 
 #include "cancelled.hpp"
 #include "graph/diagnosis.hpp"
-#include "graph/ladder_graph.hpp"
-#include "graph/move_checker.hpp"
-#include "graph/path_sampling.hpp"
+#include "graph/graph_search.hpp"
 #include "parallel.hpp"
 #include "refine/refinement.hpp"
 #include "wristwise/error.hpp"
@@ -91,17 +89,17 @@ class Pipeline {
 
   /// Stage 1. Without a path to the end, the best partial one and a diagnosis.
   bool find_seed(const Task& task) {
-    SampledPath sampled = sample(task);
+    const auto ik = inverse_kinematics();
+    const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, problem_.graph};
+    SampledPath sampled = sample(input, task);
     auto diagnosis = diagnose_samples(*problem_.robot, task, sampled);
-    std::vector<Rung> rungs = rungs_to_search(sampled);
+    const std::vector<Rung> rungs = rungs_to_search(sampled);
     if (!rungs.empty()) {
-      const EdgeRules rules = edge_rules(task);
-      const LadderPath path = search(rungs, rules);
-      record_path(task, rungs, path);
+      GraphSearch graph(input, task, verification_.clearance_epsilon, threads_, options_.monitor);
+      const LadderPath path = search(graph, rungs);
+      record_path(task, path);
       if (!path.found) {
-        sampled.rungs = std::move(rungs);
-        diagnosis = diagnose_moves(task, sampled, rules, path, *moves_, clearance_,
-                                   verification_.clearance_epsilon);
+        diagnosis = diagnose_search(input, task, graph, path, verification_.clearance_epsilon);
       }
     }
     if (!diagnosis) return true;
@@ -110,8 +108,7 @@ class Pipeline {
     return false;
   }
 
-  SampledPath sample(const Task& task) {
-    const Stopwatch watch(result_.timing.sampling);
+  std::shared_ptr<const InverseKinematics> inverse_kinematics() {
     const InverseKinematicsFound found = find_inverse_kinematics(problem_.robot);
     result_.inverse_kinematics = found.description;
     if (!found.solver) {
@@ -119,12 +116,14 @@ class Pipeline {
                          "no inverse kinematics: " + found.description,
                          "a six-axis arm with a spherical wrist");
     }
-    SampledPath sampled = sample_path(*problem_.robot, task, *found.solver, clearance_,
-                                      problem_.cost, problem_.graph, threads_, options_.monitor);
+    return found.solver;
+  }
+
+  SampledPath sample(const SamplingInput& input, const Task& task) {
+    const Stopwatch watch(result_.timing.sampling);
+    SampledPath sampled = sample_path(input, task, threads_, options_.monitor);
+    result_.graph.postures = sampled.postures;
     result_.graph.collision_checks = sampled.collision_checks;
-    for (const Rung& rung : sampled.rungs) {
-      result_.graph.vertices += static_cast<std::size_t>(rung.size());
-    }
     return sampled;
   }
 
@@ -135,43 +134,26 @@ class Pipeline {
     return {std::make_move_iterator(sampled.rungs.begin()), std::make_move_iterator(empty)};
   }
 
-  EdgeRules edge_rules(const Task& task) {
-    EdgeRules rules;
-    rules.weight = JointVector::Constant(problem_.robot->joint_count(), problem_.cost.joint_motion);
-    for (std::size_t j = 0; j < problem_.cost.joint_weights.size(); ++j) {
-      rules.weight[static_cast<Eigen::Index>(j)] *= problem_.cost.joint_weights[j];
-    }
-    for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
-      rules.max_step.push_back((task.waypoints[i + 1].time - task.waypoints[i].time) *
-                               problem_.robot->velocity_limits());
-    }
-    moves_ = std::make_unique<MoveChecker>(task, clearance_, problem_.graph.max_stray,
-                                           verification_.clearance_epsilon, threads_);
-    rules.is_clear = [this](int worker, std::size_t interval, const JointVector& from,
-                            const JointVector& to) {
-      return moves_->is_clear(worker, interval, from, to);
-    };
-    return rules;
-  }
-
-  LadderPath search(const std::vector<Rung>& rungs, const EdgeRules& rules) {
+  LadderPath search(GraphSearch& graph, const std::vector<Rung>& rungs) {
     const Stopwatch watch(result_.timing.search);
-    LadderPath path = find_least_cost_path(rungs, rules, threads_, options_.monitor);
-    result_.graph.collision_checks += moves_->queries();
+    LadderPath path = graph.find_path(rungs);
+    result_.graph.collision_checks += graph.moves().queries();
     return path;
   }
 
-  void record_path(const Task& task, const std::vector<Rung>& rungs, const LadderPath& path) {
-    result_.graph.edges = path.edges;
-    result_.graph.edges_evaluated = path.edges_evaluated;
-    result_.graph.edges_checked = path.edges_checked;
-    result_.graph.cost = path.cost;
-    for (std::size_t i = 0; i < path.vertices.size(); ++i) {
+  void record_path(const Task& task, const LadderPath& path) {
+    GraphStatistics& graph = result_.graph;
+    graph.vertices = path.statistics.vertices;
+    graph.edges = path.statistics.edges;
+    graph.edges_evaluated = path.statistics.edges_evaluated;
+    graph.postures_checked = path.statistics.usable_checks;
+    graph.edges_checked = path.statistics.clear_checks;
+    graph.cost = path.cost;
+    for (std::size_t i = 0; i < path.positions.size(); ++i) {
       result_.path.times.push_back(task.waypoints[i].time);
-      result_.path.positions.push_back(rungs[i].vertex(path.vertices[i]));
+      result_.path.positions.push_back(path.positions[i]);
       if (i == 0) continue;
-      result_.graph.joint_motion_l1 +=
-          (result_.path.positions[i] - result_.path.positions[i - 1]).lpNorm<1>();
+      graph.joint_motion_l1 += (path.positions[i] - path.positions[i - 1]).lpNorm<1>();
     }
   }
 
@@ -221,7 +203,6 @@ class Pipeline {
   const int threads_;
   VerificationOptions verification_;
   std::shared_ptr<const ClearanceModel> clearance_;
-  std::unique_ptr<MoveChecker> moves_;
   PlanResult result_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "wristwise/inverse_kinematics.hpp"
@@ -19,6 +20,12 @@ struct CostOptions {
       joint_weights;  ///< one per joint, of its step or its derivatives; empty: ones
 };
 
+/// When stage 1 measures whether a posture has the clearance.
+enum class CollisionChecks {
+  lazy,   ///< only where a best path needs it: the same path and cost with fewer checks
+  eager,  ///< for every sample
+};
+
 /// Stage 1.
 struct GraphOptions {
   /// Sampling step of x, y, z (m), rx, ry, rz (rad); used where the tolerance has a width.
@@ -29,6 +36,9 @@ struct GraphOptions {
   /// waypoints: a joint-space move that swings the torch away from the weld is no way past an
   /// obstacle. Infinity: any.
   double max_stray = 0.02;
+  double max_tcp_step = std::numeric_limits<double>::infinity();  ///< m, from waypoint to waypoint
+  double max_tcp_turn = std::numeric_limits<double>::infinity();  ///< rad, likewise
+  CollisionChecks collision_checks = CollisionChecks::lazy;
 };
 
 /// Stage 2.

@@ -35,7 +35,9 @@ struct Diagnosis {
 };
 
 struct GraphStatistics {
-  std::size_t vertices = 0;
+  std::size_t vertices = 0;          ///< copies by whole turns included
+  std::size_t postures = 0;          ///< copies by whole turns not included
+  std::size_t postures_checked = 0;  ///< for clearance, before any move
   double edges = 0;                  ///< of the whole graph
   double edges_evaluated = 0;        ///< looked at
   std::size_t collision_checks = 0;  ///< exact distance queries

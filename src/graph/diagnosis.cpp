@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "graph/turn_copies.hpp"
 #include "wristwise/swept_clearance.hpp"
 
 namespace wristwise {
@@ -102,13 +103,18 @@ std::optional<Diagnosis> diagnose_samples(const Robot& robot, const Task& task,
   return std::nullopt;
 }
 
-Diagnosis diagnose_moves(const Task& task, const SampledPath& sampled, const EdgeRules& rules,
-                         const LadderPath& path, const MoveChecker& moves,
-                         const std::shared_ptr<const ClearanceModel>& clearance,
-                         double clearance_epsilon) {
-  const std::size_t last = path.vertices.size() - 1;
-  const JointVector from = sampled.rungs[last].vertex(path.vertices.back());
-  const Rung& next = sampled.rungs[last + 1];
+Diagnosis diagnose_search(const SamplingInput& input, const Task& task, const GraphSearch& graph,
+                          const LadderPath& path, double clearance_epsilon) {
+  const std::size_t failing = path.positions.size();
+  SampleCounts counts;
+  const Rung usable = sample_waypoint(input, task.waypoints[failing], counts);
+  if (usable.size() == 0 || failing == 0) {
+    return diagnose_waypoint(input.robot, task, failing, counts);
+  }
+  const EdgeRules& rules = graph.rules();
+  const Rung next = expand_turns({usable}, rules).rungs.front();
+  const std::size_t last = failing - 1;
+  const JointVector from = path.positions.back();
   const Eigen::Index nearest = nearest_in_time(next, from, rules, last);
   Diagnosis diagnosis;
   diagnosis.waypoint = last + 1;
@@ -120,15 +126,15 @@ Diagnosis diagnose_moves(const Task& task, const SampledPath& sampled, const Edg
     diagnosis.detail += fmt::format(
         "no posture can be reached in time from waypoint {}; the least demanding one needs {:.2f} "
         "times the speed of {}",
-        last, ratio, joint_name(clearance->robot(), joint));
+        last, ratio, joint_name(input.robot, joint));
     diagnosis.suggestion = "weld slower, sample finer, or widen the tolerance";
     return diagnosis;
   }
-  ClearanceChecker checker(clearance);
+  ClearanceChecker checker(input.clearance);
   const SweptClearance swept = check_motion(checker, StraightMove(from, next.vertex(nearest)),
-                                            clearance->clearance(), clearance_epsilon);
+                                            input.clearance->clearance(), clearance_epsilon);
   if (!swept.clear) {
-    const auto names = clearance->names(swept.pair);
+    const auto names = input.clearance->names(swept.pair);
     diagnosis.reason = "collision";
     diagnosis.detail +=
         fmt::format("every move from waypoint {} is blocked, the nearest by {} - {}", last,
@@ -142,7 +148,7 @@ Diagnosis diagnose_moves(const Task& task, const SampledPath& sampled, const Edg
   diagnosis.detail += fmt::format(
       "every move from waypoint {} is blocked or swings the TCP off the seam, the nearest by "
       "{:.1f} mm",
-      last, 1e3 * moves.stray(last, from, next.vertex(nearest)));
+      last, 1e3 * graph.moves().stray(last, from, next.vertex(nearest)));
   diagnosis.suggestion = "sample finer, use more waypoints, or raise graph.max_stray";
   return diagnosis;
 }
