@@ -14,7 +14,7 @@ namespace {
 /// After this many blocked moves of best paths in one interval, the moves into every vertex of the
 /// interval are checked during relaxation: each further search would only find the next blocked
 /// one.
-constexpr int kLazyAttempts = 2;
+constexpr int kLazyAttempts = 16;
 /// From this size on a tree finds the best predecessor faster than a look at each.
 constexpr std::size_t kTreeSize = 256;
 constexpr Eigen::Index kChunk = 16;
@@ -47,6 +47,7 @@ void CorridorSearch::add_layer(std::size_t i, const std::vector<Eigen::Index>& v
     layer.rung.cost[v] = all.cost[vertex];
   }
   leave_out_blocked(i);
+  layer.changed.assign(vertices.size(), 0);
   if (i == 0) layer.distance = layer.rung.cost;
   const bool followed = i + 1 < layers_.size();
   if (followed && vertices.size() > kTreeSize) {
@@ -94,19 +95,15 @@ CorridorSearch::Result CorridorSearch::run(bool repair_part) {
 /// reached.
 std::size_t CorridorSearch::relax_stale_intervals() {
   if (layers_[0].distance.size() == 0 || layers_[0].distance.minCoeff() == kInfinity) return 0;
-  bool start_changed = false;
   for (std::size_t i = 0; i < intervals_.size(); ++i) {
-    Eigen::ArrayXd& distance = layers_[i + 1].distance;
-    if (start_changed || intervals_[i].stale) {
+    const std::vector<char>& changed = layers_[i].changed;
+    if (intervals_[i].stale || std::find(changed.begin(), changed.end(), 1) != changed.end()) {
       throw_if_cancelled(monitor_);
-      Eigen::ArrayXd before;
-      before.swap(distance);
       relax(i);
-      intervals_[i].stale = false;
-      start_changed = before.size() != distance.size() || (before != distance).any();
       monitor_.report("search",
                       static_cast<double>(i + 1) / static_cast<double>(intervals_.size()));
     }
+    const Eigen::ArrayXd& distance = layers_[i + 1].distance;
     if (distance.size() == 0 || distance.minCoeff() == kInfinity) return i;
   }
   return intervals_.size();
@@ -114,20 +111,37 @@ std::size_t CorridorSearch::relax_stale_intervals() {
 
 void CorridorSearch::relax(std::size_t i) {
   Layer& layer = layers_[i + 1];
-  layer.distance.resize(layer.rung.size());
-  layer.previous.resize(static_cast<std::size_t>(layer.rung.size()));
+  if (intervals_[i].fresh) {
+    layer.distance.setConstant(layer.rung.size(), kInfinity);
+    layer.previous.assign(static_cast<std::size_t>(layer.rung.size()), -1);
+  }
   if (layers_[i].tree) layers_[i].tree->set_keys(layers_[i].distance);
   const std::vector<Eigen::Index> chunks = chunk_starts(i + 1);
   std::vector<Scratch> scratch(static_cast<std::size_t>(threads_));
   parallel_for(chunks.size() - 1, threads_, [&](int worker, std::size_t chunk) {
+    Scratch& own = scratch[static_cast<std::size_t>(worker)];
     for (Eigen::Index v = chunks[chunk]; v < chunks[chunk + 1]; ++v) {
-      relax_vertex(i, v, worker, scratch[static_cast<std::size_t>(worker)]);
+      if (must_relax(i, v, worker, own)) relax_vertex(i, v, worker, own);
     }
   });
   for (const Scratch& used : scratch) {
     known_.add(i, used.fresh);
     evaluated_ += static_cast<double>(used.evaluated);
   }
+  intervals_[i].stale = intervals_[i].fresh = false;
+  std::fill(layers_[i].changed.begin(), layers_[i].changed.end(), 0);
+}
+
+/// Distances only grow while vertices and moves are found to be blocked, so that a best predecessor
+/// stays the best until it or the move from it changes.
+bool CorridorSearch::must_relax(std::size_t i, Eigen::Index v, int worker, Scratch& scratch) {
+  if (intervals_[i].fresh) return true;
+  const Layer& layer = layers_[i + 1];
+  if (layer.distance[v] == kInfinity) return false;
+  if (layer.rung.cost[v] == kInfinity) return true;
+  const Eigen::Index u = layer.previous[static_cast<std::size_t>(v)];
+  if (layers_[i].changed[static_cast<std::size_t>(u)]) return true;
+  return intervals_[i].stale && !is_allowed(i, u, v, worker, scratch);
 }
 
 /// Cuts a layer into chunks for the threads, never between copies of one configuration: they share
@@ -156,7 +170,9 @@ void CorridorSearch::relax_vertex(std::size_t i, Eigen::Index v, int worker, Scr
                                              is_allowed(i, best.index, v, worker, scratch));
     if (!as_it_is) best = best_allowed(i, v, worker, scratch);
   }
-  layer.distance[v] = best.total + layer.rung.cost[v];
+  const double distance = best.total + layer.rung.cost[v];
+  if (distance != layer.distance[v]) layer.changed[static_cast<std::size_t>(v)] = 1;
+  layer.distance[v] = distance;
   layer.previous[static_cast<std::size_t>(v)] = best.index;
 }
 
@@ -263,12 +279,7 @@ bool CorridorSearch::find_blocked_vertices(const std::vector<Eigen::Index>& path
     if (!blocked[i]) continue;
     any = true;
     leave_out_blocked(i);
-    if (i == 0) {
-      layers_[0].distance = layers_[0].rung.cost;
-      if (!intervals_.empty()) intervals_[0].stale = true;
-    } else {
-      intervals_[i - 1].stale = true;
-    }
+    if (i > 0) intervals_[i - 1].stale = true;
   }
   return any;
 }
@@ -293,7 +304,11 @@ void CorridorSearch::check_neighbours(std::size_t i, Eigen::Index v, int worker)
 
 void CorridorSearch::leave_out_blocked(std::size_t i) {
   for (Eigen::Index v = 0; v < layers_[i].rung.size(); ++v) {
-    if (known_.is_blocked(i, configuration(i, v))) layers_[i].rung.cost[v] = kInfinity;
+    if (!known_.is_blocked(i, configuration(i, v))) continue;
+    layers_[i].rung.cost[v] = kInfinity;
+    if (i > 0 || layers_[0].distance.size() == 0) continue;
+    if (layers_[0].distance[v] < kInfinity) layers_[0].changed[static_cast<std::size_t>(v)] = 1;
+    layers_[0].distance[v] = kInfinity;
   }
 }
 
@@ -310,7 +325,9 @@ bool CorridorSearch::find_blocked_moves(const std::vector<Eigen::Index>& path) {
   for (std::size_t i = 0; i < blocked.size(); ++i) {
     if (!blocked[i]) continue;
     any = intervals_[i].stale = true;
-    intervals_[i].check_all = ++intervals_[i].blocked >= kLazyAttempts;
+    if (++intervals_[i].blocked == kLazyAttempts) {
+      intervals_[i].check_all = true;
+    }
   }
   return any;
 }

@@ -47,6 +47,7 @@ class CorridorSearch {
     std::vector<Eigen::Index> vertex;    ///< of the graph
     std::optional<NeighbourTree> tree;   ///< where there are many
     Eigen::ArrayXd distance;             ///< least cost
+    std::vector<char> changed;           ///< since the interval that follows was relaxed
     std::vector<Eigen::Index> previous;  ///< on the layer before
     int blocked = 0;                     ///< times that a best path led through a blocked vertex
   };
@@ -56,6 +57,7 @@ class CorridorSearch {
     int blocked = 0;
     bool check_all = false;
     bool stale = true;  ///< its moves have changed since it was relaxed
+    bool fresh = true;  ///< every vertex at its end must be relaxed
   };
   struct Candidate {
     double total = kInfinity;
@@ -72,6 +74,7 @@ class CorridorSearch {
   void add_interval(std::size_t i);
   std::size_t relax_stale_intervals();
   void relax(std::size_t i);
+  bool must_relax(std::size_t i, Eigen::Index v, int worker, Scratch& scratch);
   std::vector<Eigen::Index> chunk_starts(std::size_t i) const;
   void relax_vertex(std::size_t i, Eigen::Index v, int worker, Scratch& scratch);
   double measure_all(std::size_t i, const JointVector& target, Scratch& scratch);

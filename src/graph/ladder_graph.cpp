@@ -72,7 +72,7 @@ class LadderSearch {
  private:
   static constexpr std::size_t kFirstStride = 4;
   static constexpr std::size_t kFirstWidth = 64;
-  static constexpr double kFirstSlack = 0.02;  ///< relative to the bound
+  static constexpr double kFirstSlack = 0.1;  ///< relative to the bound
   static constexpr int kWider = 2;
 
   struct Attempt {

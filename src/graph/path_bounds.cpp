@@ -26,10 +26,25 @@ constexpr double kRounding = 1e-11;
 
 }  // namespace
 
+/// What is left of a rung, to be reached from others or to be gone on from.
 struct PathBounds::Source {
-  Eigen::ArrayXXd positions;
-  std::vector<NeighbourTree> tree;  // one
-  double least = kInfinity;         // key
+  std::optional<NeighbourTree> tree;
+  Eigen::ArrayXd middle, half_width;  // of the box round it
+  double least = kInfinity;           // key
+
+  /// For each configuration of a rung, no total is less.
+  Eigen::ArrayXd bound(const Rung& rung, const JointMetric& metric) const {
+    Eigen::ArrayXd sum = Eigen::ArrayXd::Constant(rung.size(), least);
+    for (Eigen::Index j = 0; j < rung.positions.cols(); ++j) {
+      Eigen::ArrayXd step = (rung.positions.col(j) - middle[j]).abs();
+      if (metric.period[j] < kInfinity) {
+        step = step.min((metric.period[j] - step).abs());  // the middle may lie beyond the seam
+      }
+      step = (step - half_width[j]).max(0);
+      sum += metric.weight[j] * (metric.squared ? step.square().eval() : step);
+    }
+    return sum;
+  }
 };
 
 PathBounds::PathBounds(const std::vector<Rung>& rungs, const JointMetric& metric,
@@ -88,16 +103,26 @@ void PathBounds::run_forward(int threads, const Monitor& monitor) {
 PathBounds::Source PathBounds::source(std::size_t rung, const Stop& stop, bool forward) const {
   const auto count = static_cast<Eigen::Index>(stop.alive.size());
   Source source;
-  source.positions.resize(count, metric_.joints());
+  Eigen::ArrayXXd positions(count, metric_.joints());
   Eigen::ArrayXd keys = forward ? stop.before : stop.after;
   for (Eigen::Index k = 0; k < count; ++k) {
     const Eigen::Index v = stop.alive[static_cast<std::size_t>(k)];
-    source.positions.row(k) = rungs_[rung].positions.row(v);
+    positions.row(k) = rungs_[rung].positions.row(v);
     if (!forward) keys[k] += rungs_[rung].cost[v] - least_cost_[rung];
   }
-  source.tree.emplace_back(source.positions, metric_);
-  source.tree.back().set_keys(keys);
+  source.tree.emplace(positions, metric_);
+  source.tree->set_keys(keys);
   source.least = keys.minCoeff();
+  for (Eigen::Index j = 0; j < positions.cols(); ++j) {  // a box on the circle
+    const double period = metric_.period[j];
+    if (period == kInfinity) continue;
+    for (Eigen::Index k = 1; k < count; ++k) {
+      positions(k, j) -= period * std::round((positions(k, j) - positions(0, j)) / period);
+    }
+  }
+  const Eigen::ArrayXd low = positions.colwise().minCoeff(), high = positions.colwise().maxCoeff();
+  source.middle = (low + high) / 2;
+  source.half_width = (high - low) / 2;
   return source;
 }
 
@@ -134,16 +159,20 @@ bool PathBounds::run_backward(double limit, std::size_t widest, std::vector<Stop
     const std::size_t rung = landmarks_[k];
     const bool last = k + 1 == landmarks_.size();
     Source next;
-    if (!last) next = source(landmarks_[k + 1], stops[k + 1], false);
+    Eigen::ArrayXd bound = Eigen::ArrayXd::Zero(rungs_[rung].size());
+    if (!last) {
+      next = source(landmarks_[k + 1], stops[k + 1], false);
+      bound = next.bound(rungs_[rung], metric_);
+    }
     std::vector<double> after;
     for (Eigen::Index v = 0; v < rungs_[rung].size(); ++v) {
       const double before = forward_[k][v];
       if (before > limit || is_blocked_(rung, v)) continue;
       double rest = 0;
       if (!last) {
-        if (before + next.least > limit) continue;
+        if (before + bound[v] > limit) continue;
         const JointVector target = rungs_[rung].vertex(v);
-        rest = next.tree[0].nearest(target.data(), nullptr, limit - before, -1, evaluated_).total;
+        rest = next.tree->nearest(target.data(), nullptr, limit - before, -1, evaluated_).total;
         if (rest == kInfinity) continue;
       }
       stops[k].alive.push_back(v);
@@ -167,15 +196,18 @@ std::optional<PathBounds::Stop> PathBounds::between(const Source& from, const So
                                                     std::size_t& evaluated) const {
   Stop stop;
   std::vector<double> before, after;
+  const Eigen::ArrayXd bound =
+      from.bound(rungs_[rung], metric_) + to.bound(rungs_[rung], metric_);
   for (Eigen::Index v = 0; v < rungs_[rung].size(); ++v) {
+    if (bound[v] + rungs_[rung].cost[v] - least_cost_[rung] > limit) continue;
     const double own = rungs_[rung].cost[v] - least_cost_[rung];
     const JointVector target = rungs_[rung].vertex(v);
     double rest = limit - own - to.least;
     const double up =
-        from.tree[0].nearest(target.data(), nullptr, rest, -1, evaluated).total + own;
+        from.tree->nearest(target.data(), nullptr, rest, -1, evaluated).total + own;
     if (up == kInfinity) continue;
     rest = limit - up;
-    const double down = to.tree[0].nearest(target.data(), nullptr, rest, -1, evaluated).total;
+    const double down = to.tree->nearest(target.data(), nullptr, rest, -1, evaluated).total;
     if (down == kInfinity || is_blocked_(rung, v)) continue;
     stop.alive.push_back(v);
     before.push_back(up);
