@@ -1,35 +1,18 @@
 #include "wristwise/plan.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <memory>
 #include <utility>
 
 #include "cancelled.hpp"
-#include "graph/diagnosis.hpp"
-#include "graph/graph_search.hpp"
+#include "graph/graph_planner.hpp"
 #include "parallel.hpp"
 #include "refine/refinement.hpp"
+#include "stopwatch.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
 
 namespace {
-
-/// Adds the time between its construction and destruction to a counter.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() {
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 VerificationOptions verification_options(const Problem& problem, const PlanOptions& options) {
   VerificationOptions verification = options.verification;
@@ -91,20 +74,14 @@ class Pipeline {
   bool find_seed(const Task& task) {
     const auto ik = inverse_kinematics();
     const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, problem_.graph};
-    SampledPath sampled = sample(input, task);
-    auto diagnosis = diagnose_samples(*problem_.robot, task, sampled);
-    const std::vector<Rung> rungs = rungs_to_search(sampled);
-    if (!rungs.empty()) {
-      GraphSearch graph(input, task, verification_.clearance_epsilon, threads_, options_.monitor);
-      const LadderPath path = search(graph, rungs);
-      record_path(task, path);
-      if (!path.found) {
-        diagnosis = diagnose_search(input, task, graph, path, verification_.clearance_epsilon);
-      }
-    }
-    if (!diagnosis) return true;
+    GraphPlan plan = plan_graph(input, task, verification_.clearance_epsilon, threads_,
+                                options_.monitor, result_.timing);
+    result_.graph = std::move(plan.statistics);
+    result_.seeds = std::move(plan.seeds);
+    if (!result_.seeds.empty()) result_.path = result_.seeds.front().path;
+    if (plan.found) return true;
     result_.status = Status::infeasible;
-    result_.diagnosis.push_back(*diagnosis);
+    if (plan.diagnosis) result_.diagnosis.push_back(*plan.diagnosis);
     return false;
   }
 
@@ -117,44 +94,6 @@ class Pipeline {
                          "a six-axis arm with a spherical wrist");
     }
     return found.solver;
-  }
-
-  SampledPath sample(const SamplingInput& input, const Task& task) {
-    const Stopwatch watch(result_.timing.sampling);
-    SampledPath sampled = sample_path(input, task, threads_, options_.monitor);
-    result_.graph.postures = sampled.postures;
-    result_.graph.collision_checks = sampled.collision_checks;
-    return sampled;
-  }
-
-  /// Those before the first rung without a vertex.
-  static std::vector<Rung> rungs_to_search(SampledPath& sampled) {
-    const auto empty = std::find_if(sampled.rungs.begin(), sampled.rungs.end(),
-                                    [](const Rung& rung) { return rung.size() == 0; });
-    return {std::make_move_iterator(sampled.rungs.begin()), std::make_move_iterator(empty)};
-  }
-
-  LadderPath search(GraphSearch& graph, const std::vector<Rung>& rungs) {
-    const Stopwatch watch(result_.timing.search);
-    LadderPath path = graph.find_path(rungs);
-    result_.graph.collision_checks += graph.moves().queries();
-    return path;
-  }
-
-  void record_path(const Task& task, const LadderPath& path) {
-    GraphStatistics& graph = result_.graph;
-    graph.vertices = path.statistics.vertices;
-    graph.edges = path.statistics.edges;
-    graph.edges_evaluated = path.statistics.edges_evaluated;
-    graph.postures_checked = path.statistics.usable_checks;
-    graph.edges_checked = path.statistics.clear_checks;
-    graph.cost = path.cost;
-    for (std::size_t i = 0; i < path.positions.size(); ++i) {
-      result_.path.times.push_back(task.waypoints[i].time);
-      result_.path.positions.push_back(path.positions[i]);
-      if (i == 0) continue;
-      graph.joint_motion_l1 += (path.positions[i] - path.positions[i - 1]).lpNorm<1>();
-    }
   }
 
   /// Stage 2.

@@ -2,31 +2,38 @@
 
 #include <memory>
 
+#include "graph/known_checks.hpp"
 #include "graph/ladder_graph.hpp"
 #include "graph/move_checker.hpp"
 #include "graph/path_sampling.hpp"
 
 namespace wristwise {
 
-/// The search of stage 1 on the rungs of a task: edge costs and filters from the options, moves and
-/// postures checked for clearance.
+/// The search of stage 1 on the rungs of a task: edge costs and filters from the options, postures
+/// and moves checked for clearance.
 class GraphSearch {
  public:
+  enum class Moves { checked, unchecked };
+
   /// @param epsilon m, of the swept clearance check
+  /// @param moves unchecked: only the step limit filters moves
   GraphSearch(const SamplingInput& input, const Task& task, double epsilon, int threads,
-              const Monitor& monitor);
+              const Monitor& monitor, Moves moves = Moves::checked);
 
   /// @pre every rung has a vertex; as many as there are waypoints, or fewer
   LadderPath find_path(const std::vector<Rung>& rungs);
 
+  /// The same for rungs that share their positions with those of `known`.
+  LadderPath find_path(const std::vector<Rung>& rungs, KnownChecks& known);
+
   const EdgeRules& rules() const { return rules_; }
+  MoveChecker& moves() { return moves_; }
   const MoveChecker& moves() const { return moves_; }
 
  private:
-  void set_filters(const Task& task);
-  void set_costs();
+  void set_costs(const CostOptions& cost, int joints);
+  void set_filters(const SamplingInput& input, const Task& task, Moves moves);
 
-  const SamplingInput input_;
   MoveChecker moves_;
   EdgeRules rules_;
   int threads_;

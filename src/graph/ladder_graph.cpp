@@ -86,7 +86,7 @@ class LadderSearch {
     std::optional<Corridor> narrow;
     for (; !narrow; slack *= kWider) {
       if (slack > 1e6) return {};
-      limit = bounds.least() + slack * (0.1 + bounds.least());
+      limit = bounds.least() + slack * (0.1 + std::abs(bounds.least()));
       narrow = bounds.corridor(limit, width);
     }
     const CorridorSearch::Result path = search(*narrow, false);
@@ -122,8 +122,8 @@ class LadderSearch {
 class Search {
  public:
   Search(const std::vector<Rung>& rungs, const EdgeRules& rules, int threads,
-         const Monitor& monitor)
-      : rungs_(rungs), rules_(rules), threads_(threads), monitor_(monitor), known_(rungs, rules) {
+         const Monitor& monitor, KnownChecks& known)
+      : rungs_(rungs), rules_(rules), threads_(threads), monitor_(monitor), known_(known) {
     period_ = or_infinite(rules.period, rules.weight.size());
   }
 
@@ -214,7 +214,7 @@ class Search {
   const EdgeRules& rules_;
   const int threads_;
   const Monitor& monitor_;
-  KnownChecks known_;
+  KnownChecks& known_;
   JointVector period_;
   LadderPath path_;
 };
@@ -222,8 +222,10 @@ class Search {
 }  // namespace
 
 LadderPath find_least_cost_path(const std::vector<Rung>& rungs, const EdgeRules& rules, int threads,
-                                const Monitor& monitor) {
-  return Search(rungs, rules, threads, monitor).run();
+                                const Monitor& monitor, KnownChecks* known) {
+  if (known != nullptr) return Search(rungs, rules, threads, monitor, *known).run();
+  KnownChecks own(rungs, rules);
+  return Search(rungs, rules, threads, monitor, own).run();
 }
 
 }  // namespace wristwise

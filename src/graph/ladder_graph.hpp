@@ -38,6 +38,8 @@ struct EdgeRules {
       edge_cost;
 };
 
+class KnownChecks;
+
 struct LadderStatistics {
   std::size_t vertices = 0;     ///< copies included
   double edges = 0;             ///< of the whole graph
@@ -62,7 +64,9 @@ struct LadderPath {
 /// repaired until all of it can be used.
 /// The result does not depend on the number of threads.
 /// @pre every rung has a vertex, and every vertex has a copy between the limits
+/// @param known what is known of configurations and moves, to be shared by searches on rungs with
+/// the same positions; null: nothing
 LadderPath find_least_cost_path(const std::vector<Rung>& rungs, const EdgeRules& rules, int threads,
-                                const Monitor& monitor);
+                                const Monitor& monitor, KnownChecks* known = nullptr);
 
 }  // namespace wristwise

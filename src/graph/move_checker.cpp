@@ -27,6 +27,10 @@ MoveChecker::MoveChecker(const Task& task, const std::shared_ptr<const Clearance
   }
 }
 
+bool MoveChecker::Limits::any() const {
+  return stray < kInfinity || tcp_step < kInfinity || tcp_turn < kInfinity;
+}
+
 MoveChecker::Stretch MoveChecker::stretch(const Task& task, std::size_t interval) {
   const auto tolerance = task.tolerance_between(interval);
   if (!tolerance) return {};

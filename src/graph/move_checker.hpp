@@ -16,6 +16,7 @@ class MoveChecker {
     double stray = 0;     ///< m, of the TCP from the seam; infinity: any
     double tcp_step = 0;  ///< m, of the TCP from waypoint to waypoint; infinity: any
     double tcp_turn = 0;  ///< rad, likewise
+    bool any() const;
   };
 
   /// @param epsilon m, of the swept clearance check

@@ -57,7 +57,7 @@ PathBounds::PathBounds(const std::vector<Rung>& rungs, const JointMetric& metric
   }
   for (std::size_t i = 0; i + 1 < rungs_.size(); i += stride) landmarks_.push_back(i);
   landmarks_.push_back(rungs_.size() - 1);
-  run_forward(threads, monitor);
+  if (base_ < kInfinity) run_forward(threads, monitor);
 }
 
 /// Above the least of the rung; infinite where blocked.

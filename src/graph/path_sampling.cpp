@@ -7,6 +7,7 @@
 
 #include "cancelled.hpp"
 #include "graph/sampling_grid.hpp"
+#include "kinematics/singularity.hpp"
 #include "parallel.hpp"
 
 namespace wristwise {
@@ -15,6 +16,11 @@ namespace {
 
 constexpr double kTurn = 6.28318530717958647692;
 constexpr double kLimitTolerance = 1e-12;
+
+/// Eq. 9.
+double euler_cost(const CostOptions& cost, const Vector6& e) {
+  return cost.euler_graph * (cost.euler_eta * std::abs(e[3]) + std::abs(e[4]));
+}
 
 /// The grid of one tolerance box.
 class SampleGrid {
@@ -25,12 +31,11 @@ class SampleGrid {
     double cost;
   };
 
-  SampleGrid(const ToleranceBox& box, const CostOptions& cost, const GraphOptions& options)
+  SampleGrid(const ToleranceBox& box, const std::vector<Vector6>& grid, const CostOptions& cost)
       : box_(box) {
-    for (const Vector6& e : sampling_grid(box, options.step)) {
-      const double euler = cost.euler_eta * std::abs(e[3]) + std::abs(e[4]);  // eq. 9
-      samples_.push_back(
-          {e, pose_at_deviation(box, Pose::Identity(), e), cost.euler_graph * euler});
+    samples_.reserve(grid.size());
+    for (const Vector6& e : grid) {
+      samples_.push_back({e, pose_at_deviation(box, Pose::Identity(), e), euler_cost(cost, e)});
     }
   }
 
@@ -61,7 +66,9 @@ class SampleGrid {
 class WaypointSampler {
  public:
   WaypointSampler(const SamplingInput& input, bool check_clearance)
-      : input_(input), period_(turn_periods(input.robot, input.options.turns)) {
+      : input_(input),
+        period_(turn_periods(input.robot, input.options.turns)),
+        singularity_(input.robot, input.cost.singularity_measure) {
     if (check_clearance) checker_.emplace(input.clearance);
   }
 
@@ -75,16 +82,28 @@ class WaypointSampler {
       return joint_rung(*waypoint.joints, counts);
     }
     if (!grid_ || !grid_->is_of(waypoint.tolerance)) {
-      grid_.emplace(waypoint.tolerance, input_.cost, input_.options);
+      grid_.emplace(waypoint.tolerance, waypoint_grid(waypoint.tolerance, input_.options),
+                    input_.cost);
     }
-    for (const SampleGrid::Sample& sample : grid_->samples()) {
-      ++counts.samples;
-      add_sample(waypoint, sample, counts);
+    return sample_grid(waypoint, *grid_, counts);
+  }
+
+  Rung sample(const Waypoint& waypoint, const std::vector<Vector6>& grid, SampleCounts& counts) {
+    positions_.clear();
+    costs_.clear();
+    return sample_grid(waypoint, SampleGrid(waypoint.tolerance, grid, input_.cost), counts);
+  }
+
+ private:
+  Rung sample_grid(const Waypoint& waypoint, const SampleGrid& grid, SampleCounts& counts) {
+    counts.samples += grid.samples().size();
+    for (const SampleGrid::Sample& sample : grid.samples()) {
+      const std::optional<Pose> tcp = grid.pose(sample, waypoint.frame);
+      if (tcp) add_sample(*tcp, sample.cost, counts);
     }
     return make_rung();
   }
 
- private:
   Rung joint_rung(const JointVector& q, SampleCounts& counts) {
     for (int j = 0; j < input_.robot.joint_count(); ++j) {
       const Joint& joint = input_.robot.joints()[static_cast<std::size_t>(j)];
@@ -99,18 +118,15 @@ class WaypointSampler {
     return rung;
   }
 
-  void add_sample(const Waypoint& waypoint, const SampleGrid::Sample& sample,
-                  SampleCounts& counts) {
-    const std::optional<Pose> tcp = grid_->pose(sample, waypoint.frame);
-    if (!tcp) return;
-    input_.ik.solve(*tcp, branches_);
+  void add_sample(const Pose& tcp, double cost, SampleCounts& counts) {
+    input_.ik.solve(tcp, branches_);
     if (branches_.empty()) ++counts.out_of_reach;
     for (JointVector& branch : branches_) {
       const int limiting = move_into_limits(branch);
       if (limiting >= 0) {
         ++counts.joint_limit[limiting];
       } else if (is_clear(branch, counts)) {
-        add(branch, sample.cost);
+        add(branch, cost);
       }
     }
   }
@@ -155,7 +171,8 @@ class WaypointSampler {
 
   void add(const JointVector& q, double cost) {
     positions_.insert(positions_.end(), q.data(), q.data() + q.size());
-    costs_.push_back(cost);
+    const double weight = input_.cost.singularity_graph;
+    costs_.push_back(weight > 0 ? cost + weight * (1 - singularity_(q)) : cost);
   }
 
   Rung make_rung() const {
@@ -170,6 +187,7 @@ class WaypointSampler {
 
   const SamplingInput& input_;
   JointVector period_;
+  SingularityDistance singularity_;
   std::optional<ClearanceChecker> checker_;
   std::optional<SampleGrid> grid_;  ///< of the last waypoint
   std::vector<JointVector> branches_;
@@ -188,6 +206,20 @@ JointVector turn_periods(const Robot& robot, Turns turns) {
     if (joint.type != JointType::prismatic && turns_round) period[j] = kTurn;
   }
   return period;
+}
+
+double posture_cost(const SamplingInput& input, const Waypoint& waypoint, const JointVector& q) {
+  const CostOptions& cost = input.cost;
+  double sum = 0;
+  if (!waypoint.joints && cost.euler_graph > 0) {
+    const Pose tcp = tcp_pose(input.robot, q);
+    sum += euler_cost(cost, deviation(waypoint.tolerance, waypoint.frame, tcp));
+  }
+  if (cost.singularity_graph > 0) {
+    const SingularityDistance distance(input.robot, cost.singularity_measure);
+    sum += cost.singularity_graph * (1 - distance(q));
+  }
+  return sum;
 }
 
 SampledPath sample_path(const SamplingInput& input, const Task& task, int threads,
@@ -215,6 +247,21 @@ SampledPath sample_path(const SamplingInput& input, const Task& task, int thread
 
 Rung sample_waypoint(const SamplingInput& input, const Waypoint& waypoint, SampleCounts& counts) {
   return WaypointSampler(input, true).sample(waypoint, counts);
+}
+
+std::vector<Rung> sample_grids(const SamplingInput& input, const Task& task,
+                               const std::vector<std::vector<Vector6>>& grids, int threads) {
+  std::vector<Rung> rungs(task.waypoints.size());
+  std::vector<WaypointSampler> samplers;
+  samplers.reserve(static_cast<std::size_t>(threads));
+  for (int i = 0; i < threads; ++i) samplers.emplace_back(input, false);
+  parallel_for(rungs.size(), threads, [&](int worker, std::size_t i) {
+    WaypointSampler& sampler = samplers[static_cast<std::size_t>(worker)];
+    SampleCounts counts;
+    rungs[i] = task.waypoints[i].joints ? sampler.sample(task.waypoints[i], counts)
+                                        : sampler.sample(task.waypoints[i], grids[i], counts);
+  });
+  return rungs;
 }
 
 }  // namespace wristwise

@@ -40,11 +40,18 @@ struct SamplingInput {
 /// rad: 2 pi for the joints that have copies by whole turns inside their limits, else infinity.
 JointVector turn_periods(const Robot& robot, Turns turns);
 
+/// What a posture costs at a waypoint: its Euler deviation (eq. 9) and the nearness of a singularity.
+double posture_cost(const SamplingInput& input, const Waypoint& waypoint, const JointVector& q);
+
 /// Samples the tolerance of every waypoint, solves the inverse kinematics of every sample, and
 /// keeps every posture inside the joint limits, once for all its copies by whole turns. With
 /// CollisionChecks::eager those without the required clearance are left out.
 SampledPath sample_path(const SamplingInput& input, const Task& task, int threads,
                         const Monitor& monitor);
+
+/// The same on a grid of its own for each waypoint (deviations, m and rad), clearance not checked.
+std::vector<Rung> sample_grids(const SamplingInput& input, const Task& task,
+                               const std::vector<std::vector<Vector6>>& grids, int threads);
 
 /// The samples of one waypoint that have the required clearance.
 Rung sample_waypoint(const SamplingInput& input, const Waypoint& waypoint, SampleCounts& counts);

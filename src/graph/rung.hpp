@@ -11,7 +11,7 @@ namespace wristwise {
 /// The graph knows no robot.
 struct Rung {
   Eigen::ArrayXXd positions;  ///< configurations x joints
-  Eigen::ArrayXd cost;
+  Eigen::ArrayXd cost;        ///< infinite: not to be used
   JointVector lower, upper;  ///< where its copies must lie; empty: between the joint limits
 
   Eigen::Index size() const { return positions.rows(); }
