@@ -1,10 +1,15 @@
 #include "graph/graph_planner.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "graph/diagnosis.hpp"
 #include "graph/grid_refinement.hpp"
+#include "graph/reachable_pieces.hpp"
+#include "graph/smallest_relaxation.hpp"
 #include "graph/sparse_planner.hpp"
 #include "stopwatch.hpp"
 
@@ -31,6 +36,7 @@ class GraphPlanner {
     } else {
       run_dense();
     }
+    if (!plan_.found && plan_.diagnosis && plan_.diagnosis->waypoint) look_for_help();
     return std::move(plan_);
   }
 
@@ -91,6 +97,29 @@ class GraphPlanner {
     }
     std::stable_sort(plan_.seeds.begin(), plan_.seeds.end(),
                      [](const Seed& a, const Seed& b) { return a.cost < b.cost; });
+  }
+
+  /// Where there is no path: what would help, and which pieces can be welded.
+  void look_for_help() {
+    const Stopwatch watch(timing_.search);
+    const auto& counts = plan_.diagnosis->counts;
+    const std::string help =
+        smallest_relaxation(input_, task_, *plan_.diagnosis->waypoint,
+                            counts && counts->too_fast > 0, epsilon_, monitor_);
+    if (!help.empty()) plan_.diagnosis->suggestion = help;
+    const std::size_t reached = plan_.seeds.empty() ? 0 : plan_.seeds.front().path.size();
+    plan_.statistics.pieces =
+        reachable_pieces(input_, task_, reached, epsilon_, threads_, monitor_);
+    plan_.diagnosis->detail += describe(plan_.statistics.pieces);
+  }
+
+  static std::string describe(const std::vector<std::pair<std::size_t, std::size_t>>& pieces) {
+    std::string text;
+    for (const auto& [first, last] : pieces) {
+      text += fmt::format("{}{} to {}", text.empty() ? "; waypoints that can be welded: " : ", ",
+                          first, last);
+    }
+    return text;
   }
 
   void refine(GraphSearch& search, DistinctPath& path) {

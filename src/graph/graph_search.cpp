@@ -44,6 +44,21 @@ void GraphSearch::set_filters(const SamplingInput& input, const Task& task, Move
   };
 }
 
+void GraphSearch::slow_down(double factor) {
+  for (JointVector& step : rules_.max_step) step *= factor;
+}
+
+void GraphSearch::limit_checks(std::size_t& left) {
+  if (!rules_.is_clear) return;
+  rules_.is_clear = [is_clear = rules_.is_clear, &left](int worker, std::size_t interval,
+                                                        const JointVector& from,
+                                                        const JointVector& to) {
+    if (left == 0) throw SearchTooLong{};
+    --left;
+    return is_clear(worker, interval, from, to);
+  };
+}
+
 LadderPath GraphSearch::find_path(const std::vector<Rung>& rungs) {
   return find_least_cost_path(rungs, rules_, threads_, monitor_);
 }

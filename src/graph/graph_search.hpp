@@ -9,6 +9,8 @@
 
 namespace wristwise {
 
+struct SearchTooLong {};
+
 /// The search of stage 1 on the rungs of a task: edge costs and filters from the options, postures
 /// and moves checked for clearance.
 class GraphSearch {
@@ -19,6 +21,12 @@ class GraphSearch {
   /// @param moves unchecked: only the step limit filters moves
   GraphSearch(const SamplingInput& input, const Task& task, double epsilon, int threads,
               const Monitor& monitor, Moves moves = Moves::checked);
+
+  /// As if the seam were run slower by this factor, as far as joint speeds are concerned.
+  void slow_down(double factor);
+
+  /// Gives up (SearchTooLong) where checks of moves have used up what is left. With one thread only.
+  void limit_checks(std::size_t& left);
 
   /// @pre every rung has a vertex; as many as there are waypoints, or fewer
   LadderPath find_path(const std::vector<Rung>& rungs);

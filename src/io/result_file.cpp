@@ -84,6 +84,7 @@ Json graph(const PlanResult& result) {
           {"first_cost", number(graph.first_cost)},
           {"sparse_points", graph.sparse_points},
           {"replans", graph.replans},
+          {"pieces", graph.pieces},
           {"seeds", seeds(result)}};
 }
 
@@ -157,13 +158,26 @@ Json speed_held(const Verification& verification, const Problem& problem) {
           {"worst_joint", joint_name(problem, verification.velocity_joint)}};
 }
 
+Json counts(const FailureCounts& counts) {
+  Json collision = Json::array();
+  for (const auto& [pair, count] : counts.collision) {
+    collision.push_back({{"pair", names(pair)}, {"postures", count}});
+  }
+  return {{"samples", counts.samples},   {"out_of_reach", counts.out_of_reach},
+          {"joint_limit", counts.joint_limit}, {"collision", std::move(collision)},
+          {"usable", counts.usable},     {"too_fast", counts.too_fast},
+          {"too_far", counts.too_far},   {"astray", counts.astray},
+          {"blocked", counts.blocked}};
+}
+
 Json diagnosis(const std::vector<Diagnosis>& diagnosis) {
   Json json = Json::array();
   for (const Diagnosis& entry : diagnosis)
     json.push_back({{"waypoint", entry.waypoint ? Json(*entry.waypoint) : Json(nullptr)},
                     {"reason", entry.reason},
                     {"detail", entry.detail},
-                    {"suggestion", entry.suggestion}});
+                    {"suggestion", entry.suggestion},
+                    {"counts", entry.counts ? counts(*entry.counts) : Json(nullptr)}});
   return json;
 }
 
