@@ -76,6 +76,8 @@ constexpr double kRightAngle = 1e-13;
 /// Do the two solutions at one end of a half-angle's range coincide?
 bool is_double_root(double half_sine) { return 2 * half_sine < kDoubleRoot; }
 
+static_assert(WorkspaceMargin::kMostWristStarts == BranchDirections::kMostWristsOfAnArm);
+
 /// The two solutions +-angle of shoulder or elbow.
 struct Bend {
   PlanarTurn turn;

@@ -27,8 +27,8 @@ struct WorkspaceMargin {
   double arm_separation = 0;
   double wrist_separation = 0;
   /// Postures given for a wrist that was moved away, with joint 4 spread over a whole turn.
-  int wrist_starts = 1;  ///< at most kMostWristStarts
-  static constexpr int kMostWristStarts = 8;
+  int wrist_starts = 1;
+  static constexpr int kMostWristStarts = 8;  ///< more are not given
 };
 
 /// The inverse kinematics of an arm whose axes 2 and 3 are parallel and whose axes 4, 5 and 6 meet
