@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -42,7 +43,7 @@ class BranchDirections {
   void append_to(std::vector<JointVector>& branches, double phi) {
     if (wrist_count_ == 0) return;
     if (count_ % 2 != 0) add(1, 0);  // whole pairs
-    angles_of_directions(count_, x_.data(), y_.data(), angle_.data());
+    angles_of_directions(static_cast<std::size_t>(count_), x_.data(), y_.data(), angle_.data());
     for (std::size_t i = 0; i < wrist_count_; ++i) {
       const Entry& wrist = wrists_[i];
       const double* arm = &angle_[wrist.elbow];
@@ -59,14 +60,14 @@ class BranchDirections {
  private:
   static constexpr double kPi = 3.14159265358979323846;
   static constexpr std::size_t kMostWrists = kMostArms * kMostWristsOfAnArm;
-  static constexpr std::size_t kMostAngles = 2 + 2 * kMostArms + 3 * kMostWrists;
+  static constexpr int kMostAngles = static_cast<int>(2 + 2 * kMostArms + 3 * kMostWrists);
 
   struct Entry {
-    std::size_t shoulder, elbow, joint_4;  // where their angles start
+    int shoulder, elbow, joint_4;  // where their angles start
     Wrist kind;
   };
 
-  std::size_t add(double x, double y) {
+  int add(double x, double y) {
     x_[count_] = x;
     y_[count_] = y;
     return count_++;
@@ -87,10 +88,12 @@ class BranchDirections {
   }
   static double opposite(double angle) { return wrapped(angle + kPi); }
 
-  std::array<double, kMostAngles> x_, y_, angle_;
-  std::array<Entry, kMostWrists> wrists_;
-  std::size_t count_ = 0, wrist_count_ = 0;
-  std::size_t shoulder_ = 0, elbow_ = 0;
+  // Eigen's arrays, as they are not set to zero for each pose.
+  Eigen::Array<double, kMostAngles, 1> x_, y_, angle_;
+  std::array<Entry, kMostWrists> wrists_{};
+  std::size_t wrist_count_ = 0;
+  int count_ = 0;
+  int shoulder_ = 0, elbow_ = 0;
 };
 
 }  // namespace wristwise

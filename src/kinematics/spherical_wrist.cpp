@@ -35,11 +35,11 @@ namespace wristwise {
 // q5 = phi +- psi. q4 turns e = E5 h6 onto W h6, and q6 is what then remains of W: given q4 and q5
 // it makes up for their errors, so that T is met even where q4 is arbitrary.
 //
-// Wrist with t1 = t2 = pi/2. Then psi = a, and with (x, y, z) along (h5, h4 x h5, h4) at q5 = phi,
-// e = (0, -sin a, cos a): joint 4 turns -y onto W h6, q4 = arg(-y', x') for W h6 = (x', y', z').
-// As h5 is perpendicular to h6, q6 is the angle from E4 h5 = (-y', x', 0) / sin a to W h5 about
-// W h6; with W h5 = (u, v, w) that is, times sin a,
-//   q6 = arg(x' v - y' u, w (x'^2 + y'^2) - z' (x' u + y' v)).
+// Wrist with t1 = t2 = pi/2. Then psi = +-a. In coordinates along h5, h4 x h5, h4 let
+// W h6 = (x, y, z), W h5 = (u, v, w). With psi = a, e = (0, -sin a, cos a) and joint 4 turns it
+// onto W h6: q4 = arg(-y, x). As h5 is perpendicular to h6, q6 is the angle about W h6 from
+// E4 h5 = (-y, x, 0) / sin a to W h5; times sin a, so that nothing is divided,
+//   q6 = arg(x v - y u, w (x^2 + y^2) - z (x u + y v)).
 // The other wrist, psi = -a, is (q4 + pi, phi - a, q6 + pi).
 
 namespace {

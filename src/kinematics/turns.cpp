@@ -1,4 +1,3 @@
-#include <array>
 #include <cmath>
 
 #include "wristwise/inverse_kinematics.hpp"
@@ -49,18 +48,22 @@ TurnRange turn_range(const Joint& joint, double value, Turns turns) {
   return all_turns(joint, value);
 }
 
+/// Those of every joint.
+struct TurnRanges {
+  Eigen::Array<double, kMaxJoints, 1> first;
+  Eigen::Array<int, kMaxJoints, 1> count;
+};
+
 /// The copies after the first, the turns of the last joint changing fastest.
-void append_further_turns(const std::array<TurnRange, kMaxJoints>& ranges,
-                          const JointVector& branch, int copies,
+void append_further_turns(const TurnRanges& ranges, const JointVector& branch, int copies,
                           std::vector<JointVector>& postures) {
-  std::array<int, kMaxJoints> turn{};
+  Eigen::Array<int, kMaxJoints, 1> turn = Eigen::Array<int, kMaxJoints, 1>::Zero();
   for (int copy = 1; copy < copies; ++copy) {
-    auto last = static_cast<std::size_t>(branch.size()) - 1;
-    while (++turn[last] == ranges[last].count) turn[last--] = 0;
+    Eigen::Index last = branch.size() - 1;
+    while (++turn[last] == ranges.count[last]) turn[last--] = 0;
     JointVector& q = postures.emplace_back(branch);
     for (Eigen::Index j = 0; j < q.size(); ++j) {
-      const auto index = static_cast<std::size_t>(j);
-      q[j] += kTurn * (ranges[index].first + turn[index]);
+      q[j] += kTurn * (ranges.first[j] + turn[j]);
     }
   }
 }
@@ -71,19 +74,21 @@ int append_turns(const Robot& robot, const JointVector& branch, Turns turns,
                  std::vector<JointVector>& postures, int* limiting_joint) {
   if (limiting_joint != nullptr) *limiting_joint = -1;
   const int joints = robot.joint_count();
-  std::array<TurnRange, kMaxJoints> ranges;
+  TurnRanges ranges;
   int copies = 1;
   for (int j = 0; j < joints; ++j) {
-    const auto index = static_cast<std::size_t>(j);
-    ranges[index] = turn_range(robot.joints()[index], branch[j], turns);
-    if (ranges[index].count == 0) {
+    const TurnRange range =
+        turn_range(robot.joints()[static_cast<std::size_t>(j)], branch[j], turns);
+    if (range.count == 0) {
       if (limiting_joint != nullptr) *limiting_joint = j;
       return 0;
     }
-    copies *= ranges[index].count;
+    ranges.first[j] = range.first;
+    ranges.count[j] = range.count;
+    copies *= range.count;
   }
   JointVector q = branch;
-  for (int j = 0; j < joints; ++j) q[j] += kTurn * ranges[static_cast<std::size_t>(j)].first;
+  for (int j = 0; j < joints; ++j) q[j] += kTurn * ranges.first[j];
   postures.push_back(q);
   if (copies > 1) append_further_turns(ranges, branch, copies, postures);
   return copies;
