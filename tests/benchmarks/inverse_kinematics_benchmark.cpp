@@ -60,7 +60,7 @@ void solve_all(benchmark::State& state, const std::vector<Pose>& poses,
                const InverseKinematics& solver) {
   std::vector<JointVector> branches;
   std::size_t total = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     total = 0;
     for (const Pose& pose : poses) {
       solver.solve(pose, branches);
@@ -93,7 +93,7 @@ void turns_of_seam_branches(benchmark::State& state, Turns turns) {
     all.insert(all.end(), branches.begin(), branches.end());
   }
   std::size_t appended = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     appended = 0;
     for (const JointVector& branch : all) {
       copies.clear();
