@@ -63,8 +63,9 @@ struct GraphOptions {
   /// rad or m; sparse: how far an interpolated posture may be from the nearest one in tolerance.
   double sparse_deviation = 0.05;
   int seeds = 1;  ///< distinct paths to look for, the best first
-  /// rad or m; paths are distinct where at some waypoint a joint differs by more, whole turns not
-  /// counted.
+  /// rad or m; usable postures of a waypoint that differ by less in every joint are neighbours.
+  /// Paths are distinct where at some waypoint no chain of neighbours joins them: other branches of
+  /// the robot, other sides of an obstacle. Whole turns are not counted.
   double seed_separation = 0.5;
   Turns turns = Turns::all;
   /// m; no edge on which the TCP strays farther than this from the seam half-way between two
