@@ -24,6 +24,9 @@ struct GraphOptions {
   /// Sampling step of x, y, z (m), rx, ry, rz (rad); used where the tolerance has a width.
   /// 0: the ends and the nominal for a bounded coordinate, 10 deg for a free one.
   Vector6 step = Vector6::Zero();
+  /// Sampling step of the ranges of joint waypoints, rad or m, one per joint; 0: the ends and the
+  /// middle. Empty: all 0.
+  std::vector<double> joint_step;
   Turns turns = Turns::all;
   /// m; no edge on which the TCP strays farther than this from the seam half-way between two
   /// waypoints: a joint-space move that swings the torch away from the weld is no way past an

@@ -26,8 +26,10 @@ class WaypointSampler {
     first_copies_.clear();
     turn_codes_.clear();
     if (waypoint.joints) {
-      counts.samples = 1;
-      add_joint_waypoint(*waypoint.joints, counts);
+      for (const JointVector& q : joint_grid(*waypoint.joints, options_.joint_step)) {
+        ++counts.samples;
+        add_joint_waypoint(q, counts);
+      }
     } else {
       for (const Vector6& e : sampling_grid(waypoint.tolerance, options_.step)) {
         ++counts.samples;
