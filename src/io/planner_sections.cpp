@@ -22,13 +22,27 @@ std::vector<double> read_joint_weights(const ConfigReader& reader, const Robot& 
   return weights;
 }
 
-Vector6 read_samples(const ConfigReader& reader) {
-  reader.expect_keys(coordinate_keys());
-  Vector6 step = Vector6::Zero();
+/// One step for all joints, or a list.
+std::vector<double> read_joint_steps(const ConfigReader& reader, const Robot& robot) {
+  const auto count = static_cast<std::size_t>(robot.joint_count());
+  std::vector<ConfigReader> steps(count, reader);
+  if (reader.is_list())
+    steps = reader.items(count, fmt::format("a step or a list of {}, one per joint", count));
+  std::vector<double> result;
+  for (std::size_t j = 0; j < count; ++j)
+    result.push_back(steps[j].not_negative(joint_quantity(robot, j)));
+  return result;
+}
+
+void read_samples(const ConfigReader& reader, const Robot& robot, GraphOptions& graph) {
+  std::vector<std::string> keys = coordinate_keys();
+  keys.emplace_back("joints");
+  reader.expect_keys(keys);
   for (int i = 0; i < 6; ++i)
     if (const auto value = find_coordinate(reader, i))
-      step[i] = value->positive(coordinate_quantity(i));
-  return step;
+      graph.step[i] = value->positive(coordinate_quantity(i));
+  if (const auto joints = reader.find("joints"))
+    graph.joint_step = read_joint_steps(*joints, robot);
 }
 
 }  // namespace
@@ -50,10 +64,10 @@ CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
   return cost;
 }
 
-GraphOptions read_graph(const ConfigReader& reader) {
+GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
   reader.expect_keys({"samples", "turns", "max_stray", "planner"});
   GraphOptions graph;
-  if (const auto samples = reader.find("samples")) graph.step = read_samples(*samples);
+  if (const auto samples = reader.find("samples")) read_samples(*samples, robot, graph);
   if (const auto turns = reader.find("turns"))
     graph.turns = turns->choice({"all", "principal"}) == "all" ? Turns::all : Turns::principal;
   if (const auto stray = reader.find("max_stray")) {
