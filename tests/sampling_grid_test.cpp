@@ -92,7 +92,7 @@ TEST(JointGrid, RefusesImpossibleSteps) {
   const auto message = [&](const std::vector<double>& step) {
     return test::invalid_input([&] { joint_grid(box, step); });
   };
-  EXPECT_TRUE(test::says(message({0.1, 0.1}), "joint_step: 2 steps"));
+  EXPECT_TRUE(test::says(message({0.1, 0.1}), "graph.samples.joints: 2 steps"));
   EXPECT_TRUE(test::says(message({0.1, -1, 0.1}), "-1 is no step"));
   EXPECT_TRUE(test::says(message({0.1, std::nan(""), 0.1}), "nan is no step"));
   EXPECT_TRUE(test::says(message({1e-3, 1e-3, 1e-3}), "at most a million"));

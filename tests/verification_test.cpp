@@ -261,6 +261,21 @@ TEST(Verification, ATinyRangeIsHeldLikeAValue) {
   expect_failure(check(task, nodes.path), {"y is 1.99e-06 outside its range"});
 }
 
+TEST(Verification, RejectsAJointWaypointThatFitsNoRobot) {
+  Task task = straight_task();
+  const JointPath path = gantry::path_along(task);
+  const auto message = [&](const JointBox& box) {
+    task.waypoints[kFaulty].joints = box;
+    return invalid_input([&] { check(task, path); });
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(says(message(JointVector(JointVector::Zero(3))), "waypoint 4: 3 joint values"));
+  EXPECT_TRUE(says(message(gantry::posture(0, nan, 0)), "waypoint 4: y is not a number"));
+  EXPECT_TRUE(says(message(gantry::posture(3, 0, 0)), "waypoint 4: x = 3 is outside its limits"));
+  EXPECT_TRUE(says(message({gantry::posture(1, 0, 0), gantry::posture(0, 0, 0)}),
+                   "waypoint 4: x: the lower bound 1 is above the upper, 0"));
+}
+
 TEST(Verification, RejectsALeftOutJointWaypoint) {
   Task task = straight_task();
   task.waypoints[kFaulty].joints = gantry::posture(0.4, 0, 0);

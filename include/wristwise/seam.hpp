@@ -74,4 +74,7 @@ struct Task {
   std::optional<ToleranceBox> tolerance_between(std::size_t interval) const;
 };
 
+/// @throws InvalidInput where a joint waypoint does not fit the robot (see cut_to_limits).
+void validate_joint_waypoints(const Task& task, const Robot& robot);
+
 }  // namespace wristwise

@@ -34,6 +34,8 @@ Diagnosis diagnose_waypoint(const Robot& robot, const Task& task, std::size_t wa
   diagnosis.waypoint = waypoint;
   const std::string where =
       fmt::format("waypoint {} ({:.4g} s): ", waypoint, task.waypoints[waypoint].time);
+  const std::string widen =
+      task.waypoints[waypoint].joints ? "widen the ranges of its joints" : "widen the tolerance";
   const std::string tally = fmt::format(
       " (of {} samples {} are out of reach; {} branches break a joint limit, {} collide)",
       counts.samples, counts.out_of_reach, total(counts.joint_limit), total(counts.collision));
@@ -44,15 +46,13 @@ Diagnosis diagnose_waypoint(const Robot& robot, const Task& task, std::size_t wa
         "{}every reachable posture is nearer than the clearance, most "
         "often {} - {}{}",
         where, pair.first, pair.second, tally);
-    diagnosis.suggestion =
-        "widen the tolerance, sample it finer, lower scene.clearance, or move "
-        "the part";
+    diagnosis.suggestion = widen + ", sample finer, lower scene.clearance, or move the part";
   } else if (!counts.joint_limit.empty()) {
     const auto& [joint, count] = *most_frequent(counts.joint_limit);
     diagnosis.reason = "joint_limit";
     diagnosis.detail = fmt::format("{}every branch breaks a joint limit, most often that of {}{}",
                                    where, joint_name(robot, joint), tally);
-    diagnosis.suggestion = "move the part, or widen the tolerance";
+    diagnosis.suggestion = "move the part, or " + widen;
   } else {
     diagnosis.reason = "out_of_reach";
     diagnosis.detail = fmt::format("{}out of reach at every sample{}", where, tally);

@@ -45,11 +45,12 @@ void multiply(std::vector<Point>& grid, Eigen::Index coordinate,
 
 void check_joint_steps(const std::vector<double>& step, Eigen::Index joints) {
   if (!step.empty() && static_cast<Eigen::Index>(step.size()) != joints)
-    throw InvalidInput("joint_step", fmt::format("{} steps", step.size()),
+    throw InvalidInput("graph.samples.joints", fmt::format("{} steps", step.size()),
                        fmt::format("one per joint, {}, or none", joints));
   for (const double value : step) {
     if (!(value >= 0))
-      throw InvalidInput("joint_step", fmt::format("{} is no step", value), "0 or more, rad or m");
+      throw InvalidInput("graph.samples.joints", fmt::format("{} is no step", value),
+                         "0 or more, rad or m");
   }
 }
 
@@ -72,7 +73,7 @@ void check_grid_size(const JointBox& box, const std::vector<double>& step) {
     if (width > 0) count *= s > 0 ? width / s + 1 : 3;
   }
   if (!(count <= kMostPostures))
-    throw InvalidInput("joint_step",
+    throw InvalidInput("graph.samples.joints",
                        fmt::format("a joint waypoint has about {:.3g} samples", count),
                        "at most a million: larger steps, or ranges for fewer joints");
 }

@@ -273,12 +273,14 @@ class Verifier {
 Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
                     const JointPath& path, const VerificationOptions& options) {
   validate(path, clearance->robot().joint_count(), "path");
+  validate_joint_waypoints(task, clearance->robot());
   return Verifier(task, clearance, PointMotion(path), options).run();
 }
 
 Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
                     const Trajectory& trajectory, const VerificationOptions& options) {
   validate(trajectory.waypoints(), clearance->robot().joint_count(), "trajectory");
+  validate_joint_waypoints(task, clearance->robot());
   return Verifier(task, clearance, CurveMotion(trajectory), options).run();
 }
 
