@@ -1,37 +1,18 @@
 #include "wristwise/plan.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <memory>
 #include <utility>
 
 #include "cancelled.hpp"
-#include "graph/diagnosis.hpp"
-#include "graph/ladder_graph.hpp"
-#include "graph/move_checker.hpp"
-#include "graph/path_sampling.hpp"
+#include "graph/graph_planner.hpp"
 #include "parallel.hpp"
 #include "refine/refinement.hpp"
+#include "stopwatch.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
 
 namespace {
-
-/// Adds the time between its construction and destruction to a counter.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() {
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 VerificationOptions verification_options(const Problem& problem, const PlanOptions& options) {
   VerificationOptions verification = options.verification;
@@ -92,27 +73,20 @@ class Pipeline {
 
   /// Stage 1. Without a path to the end, the best partial one and a diagnosis.
   bool find_seed(const Task& task) {
-    SampledPath sampled = sample(task);
-    auto diagnosis = diagnose_samples(*problem_.robot, task, sampled);
-    std::vector<Rung> rungs = rungs_to_search(sampled);
-    if (!rungs.empty()) {
-      const EdgeRules rules = edge_rules(task);
-      const LadderPath path = search(rungs, rules);
-      record_path(task, rungs, path);
-      if (!path.found) {
-        sampled.rungs = std::move(rungs);
-        diagnosis = diagnose_moves(task, sampled, rules, path, *moves_, clearance_,
-                                   verification_.clearance_epsilon);
-      }
-    }
-    if (!diagnosis) return true;
+    const auto ik = inverse_kinematics();
+    const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, problem_.graph};
+    GraphPlan plan = plan_graph(input, task, verification_.clearance_epsilon, threads_,
+                                options_.monitor, result_.timing);
+    result_.graph = std::move(plan.statistics);
+    result_.seeds = std::move(plan.seeds);
+    if (!result_.seeds.empty()) result_.path = result_.seeds.front().path;
+    if (plan.found) return true;
     result_.status = Status::infeasible;
-    result_.diagnosis.push_back(*diagnosis);
+    if (plan.diagnosis) result_.diagnosis.push_back(*plan.diagnosis);
     return false;
   }
 
-  SampledPath sample(const Task& task) {
-    const Stopwatch watch(result_.timing.sampling);
+  std::shared_ptr<const InverseKinematics> inverse_kinematics() {
     const InverseKinematicsFound found = find_inverse_kinematics(problem_.robot);
     result_.inverse_kinematics = found.description;
     if (!found.solver) {
@@ -120,60 +94,7 @@ class Pipeline {
                          "no inverse kinematics: " + found.description,
                          "a six-axis arm with a spherical wrist");
     }
-    SampledPath sampled = sample_path(*problem_.robot, task, *found.solver, clearance_,
-                                      problem_.cost, problem_.graph, threads_, options_.monitor);
-    result_.graph.collision_checks = sampled.collision_checks;
-    for (const Rung& rung : sampled.rungs) {
-      result_.graph.vertices += static_cast<std::size_t>(rung.size());
-    }
-    return sampled;
-  }
-
-  /// Those before the first rung without a vertex.
-  static std::vector<Rung> rungs_to_search(SampledPath& sampled) {
-    const auto empty = std::find_if(sampled.rungs.begin(), sampled.rungs.end(),
-                                    [](const Rung& rung) { return rung.size() == 0; });
-    return {std::make_move_iterator(sampled.rungs.begin()), std::make_move_iterator(empty)};
-  }
-
-  EdgeRules edge_rules(const Task& task) {
-    EdgeRules rules;
-    rules.weight = JointVector::Constant(problem_.robot->joint_count(), problem_.cost.joint_motion);
-    for (std::size_t j = 0; j < problem_.cost.joint_weights.size(); ++j) {
-      rules.weight[static_cast<Eigen::Index>(j)] *= problem_.cost.joint_weights[j];
-    }
-    for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
-      rules.max_step.push_back((task.waypoints[i + 1].time - task.waypoints[i].time) *
-                               problem_.robot->velocity_limits());
-    }
-    moves_ = std::make_unique<MoveChecker>(task, clearance_, problem_.graph.max_stray,
-                                           verification_.clearance_epsilon, threads_);
-    rules.is_clear = [this](int worker, std::size_t interval, const JointVector& from,
-                            const JointVector& to) {
-      return moves_->is_clear(worker, interval, from, to);
-    };
-    return rules;
-  }
-
-  LadderPath search(const std::vector<Rung>& rungs, const EdgeRules& rules) {
-    const Stopwatch watch(result_.timing.search);
-    LadderPath path = find_least_cost_path(rungs, rules, threads_, options_.monitor);
-    result_.graph.collision_checks += moves_->queries();
-    return path;
-  }
-
-  void record_path(const Task& task, const std::vector<Rung>& rungs, const LadderPath& path) {
-    result_.graph.edges = path.edges;
-    result_.graph.edges_evaluated = path.edges_evaluated;
-    result_.graph.edges_checked = path.edges_checked;
-    result_.graph.cost = path.cost;
-    for (std::size_t i = 0; i < path.vertices.size(); ++i) {
-      result_.path.times.push_back(task.waypoints[i].time);
-      result_.path.positions.push_back(rungs[i].vertex(path.vertices[i]));
-      if (i == 0) continue;
-      result_.graph.joint_motion_l1 +=
-          (result_.path.positions[i] - result_.path.positions[i - 1]).lpNorm<1>();
-    }
+    return found.solver;
   }
 
   /// Stage 2.
@@ -222,7 +143,6 @@ class Pipeline {
   const int threads_;
   VerificationOptions verification_;
   std::shared_ptr<const ClearanceModel> clearance_;
-  std::unique_ptr<MoveChecker> moves_;
   PlanResult result_;
 };
 

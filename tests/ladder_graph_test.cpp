@@ -148,7 +148,7 @@ TEST(LeastCostPath, ChecksFewMovesWhereNoneIsBlocked) {
     return true;
   };
   const LadderPath path = find_least_cost_path(instance.rungs, instance.rules, 2, {});
-  EXPECT_EQ(path.edges_checked, 9U);
+  EXPECT_EQ(path.statistics.clear_checks, 9U);
 }
 
 TEST(LeastCostPath, DoesNotDependOnTheNumberOfThreads) {

@@ -15,8 +15,12 @@ using gantry::posture;
 
 Task straight_task() { return gantry::task({{0, 0, 0}, {1, 0, 0}}, 4, 4, gantry::box(0.01, 1)); }
 
+MoveChecker::Limits stray_limit(double stray) {
+  return {stray, gantry::kUnlimited, gantry::kUnlimited};
+}
+
 TEST(MoveChecker, StrayIsTheExcessOverTheToleranceAlongTheMove) {
-  const MoveChecker checker(straight_task(), gantry::clearance(gantry::robot()), 1, 5e-5, 1);
+  const MoveChecker checker(straight_task(), gantry::clearance(gantry::robot()), stray_limit(1), 5e-5, 1);
   EXPECT_NEAR(checker.stray(1, posture(0.25, 0, 0), posture(0.5, 0, 0)), 0, 1e-12);
   EXPECT_NEAR(checker.stray(1, posture(0.25, 0, 0, 1), posture(0.5, 0, 0, -1)), 0, 1e-12);
   // Three quarters of the way to y = 0.4.
@@ -32,17 +36,51 @@ TEST(MoveChecker, StrayIsZeroWhereNoPathIsPrescribed) {
   std::vector<SeamPiece> pieces = task.seam.pieces();
   pieces[0].kind = SeamPiece::Kind::move;
   task.seam = Seam(pieces);
-  MoveChecker checker(task, gantry::clearance(gantry::robot()), 0, 5e-5, 1);
+  MoveChecker checker(task, gantry::clearance(gantry::robot()), stray_limit(0), 5e-5, 1);
   EXPECT_EQ(checker.stray(1, posture(0, 1, 0), posture(1, -1, 0)), 0);
   EXPECT_TRUE(checker.is_clear(0, 1, posture(0, 1, 0), posture(1, -1, 0)));
 }
 
 TEST(MoveChecker, BlocksMovesThatStrayTooFar) {
   const auto clearance = gantry::clearance(gantry::robot());
-  MoveChecker checker(straight_task(), clearance, 0.3, 5e-5, 1);
+  MoveChecker checker(straight_task(), clearance, stray_limit(0.3), 5e-5, 1);
   EXPECT_TRUE(checker.is_clear(0, 1, posture(0.25, 0, 0), posture(0.5, 0.4, 0)));
   EXPECT_FALSE(checker.is_clear(0, 1, posture(0.25, 0, 0), posture(0.5, 0.42, 0)));
   EXPECT_EQ(checker.queries(), 0U);
+}
+
+TEST(MoveChecker, BlocksStepsOfTheTcpThatAreTooLong) {
+  const auto clearance = gantry::clearance(gantry::robot());
+  const double any = gantry::kUnlimited;
+  MoveChecker by_step(straight_task(), clearance, {any, 0.3, any}, 5e-5, 1);
+  EXPECT_TRUE(by_step.is_clear(0, 1, posture(0, 0, 0, 0), posture(0.18, 0.24, 0, 3)));
+  EXPECT_FALSE(by_step.is_clear(0, 1, posture(0, 0, 0, 0), posture(0.18, 0.2401, 0, 0)));
+  MoveChecker by_turn(straight_task(), clearance, {any, any, 0.5}, 5e-5, 1);
+  EXPECT_TRUE(by_turn.is_clear(0, 1, posture(0, 0, 0, -0.3), posture(1, 0, 0, 0.2)));
+  EXPECT_FALSE(by_turn.is_clear(0, 1, posture(0, 0, 0, -0.3), posture(1, 0, 0, 0.201)));
+}
+
+/// The short cut through the pair that was too near last must not change an answer.
+TEST(MoveChecker, MeasuresPosturesAsTheCheckerDoes) {
+  const auto clearance =
+      gantry::clearance(gantry::robot(),
+                        {gantry::obstacle(Sphere{0.2}, 0.2, 0.3, 0),
+                         {"plate", {{Box{{0.02, 1, 1}}, Pose(Eigen::Translation3d(-0.4, 0, 0))}}}},
+                        0.03);
+  MoveChecker moves(straight_task(), clearance, stray_limit(1), 5e-5, 2);
+  ClearanceChecker own(clearance);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> value(-0.7, 0.7);
+  int clear = 0;
+  for (int i = 0; i < 500; ++i) {
+    const JointVector q = posture(value(random), value(random), value(random));
+    own.set_posture(q);
+    const bool expected = !own.first_below(0.03);
+    EXPECT_EQ(moves.has_clearance(i % 2, q), expected);
+    if (expected) ++clear;
+  }
+  EXPECT_GT(clear, 100);
+  EXPECT_LT(clear, 450);
 }
 
 /// The short cut through the place that blocked the last move must not change an answer.
@@ -52,7 +90,7 @@ TEST(MoveChecker, AnswersAsCheckMotionWhateverWasAskedBefore) {
                         {gantry::obstacle(Sphere{0.2}, 0.2, 0.3, 0),
                          {"plate", {{Box{{0.02, 1, 1}}, Pose(Eigen::Translation3d(-0.4, 0, 0))}}}},
                         0.03);
-  MoveChecker checker(straight_task(), clearance, gantry::kUnlimited, 5e-5, 2);
+  MoveChecker checker(straight_task(), clearance, stray_limit(gantry::kUnlimited), 5e-5, 2);
   ClearanceChecker own(clearance);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> value(-0.7, 0.7);

@@ -6,6 +6,7 @@
 
 #include "cancelled.hpp"
 #include "gantry.hpp"
+#include "graph/turn_copies.hpp"
 #include "kuka_kr5_arc.hpp"
 #include "wristwise/kinematics.hpp"
 
@@ -43,6 +44,7 @@ ToleranceBox sampled_box() {
 
 GraphOptions sampled_options() {
   GraphOptions options;
+  options.collision_checks = CollisionChecks::eager;
   options.step << 0, 0.1, 0, 0.2, 0, 0;
   return options;
 }
@@ -58,8 +60,10 @@ struct Sampling {
 
   SampledPath run(int threads = 2) const {
     const auto robot = gantry::robot(parts);
-    return sample_path(*robot, task, GantryIk(), gantry::clearance(robot, objects, clearance), cost,
-                       options, threads, monitor);
+    const GantryIk ik;
+    const SamplingInput input{*robot, ik, gantry::clearance(robot, objects, clearance), cost,
+                              options};
+    return sample_path(input, task, threads, monitor);
   }
 };
 
@@ -103,7 +107,16 @@ TEST(SamplePath, AddsEveryTurnInsideTheLimits) {
     expected += 5 * (copies(tilt) + copies(tilt + std::acos(-1.0)));
   }
   EXPECT_GT(expected, 50);
-  EXPECT_EQ(sampling.run().rungs[0].size(), expected);
+  const auto robot = gantry::robot(sampling.parts);
+  EdgeRules rules;
+  rules.period = turn_periods(*robot, Turns::all);
+  EXPECT_EQ(rules.period[3], 2 * std::acos(-1.0));
+  EXPECT_TRUE(std::isinf(rules.period[0]));
+  rules.lower = robot->lower_limits();
+  rules.upper = robot->upper_limits();
+  const SampledPath sampled = sampling.run();
+  EXPECT_EQ(sampled.rungs[0].size(), 50);
+  EXPECT_EQ(expand_turns(sampled.rungs, rules).rungs[0].size(), expected);
   sampling.options.turns = Turns::principal;
   EXPECT_EQ(sampling.run().rungs[0].size(), 50);
 }
@@ -186,8 +199,10 @@ TEST(SamplePath, ARangedJointWaypointIsTheGridOfItsRanges) {
     const auto index = static_cast<Eigen::Index>(v);
     EXPECT_LT((rung.vertex(index) - expected[v]).norm(), 1e-14) << v;
     EXPECT_EQ(rung.cost[index], 0);
-    EXPECT_EQ(rung.first_copy[v], index);
   }
+  // Copies by whole turns are those inside the ranges; the tilt's is cut to its limit.
+  EXPECT_EQ(rung.lower, gantry::posture(0.2, -0.1, 0, 2.8));
+  EXPECT_EQ(rung.upper, gantry::posture(0.4, 0.1, 0, 3));
   EXPECT_EQ(sampled.counts[1].samples, 3U * 3 * 5);
   EXPECT_EQ(sampled.counts[1].joint_limit.at(3), 3U * 3 * 2);
   EXPECT_EQ(sampled.counts[1].collision.begin()->second, 3U * 3);
@@ -270,14 +285,21 @@ TEST(SamplePath, HasTheKnownNumberOfVerticesForTheKr5) {
   GraphOptions options;
   options.step[5] = std::acos(-1.0) / 180;
   for (const auto& [turns, expected] :
-       {std::pair{Turns::principal, 21600}, std::pair{Turns::all, 82786}}) {
+       {std::pair{Turns::principal, 21600U}, std::pair{Turns::all, 82786U}}) {
     options.turns = turns;
+    const CostOptions cost;
     const SampledPath sampled =
-        sample_path(*robot, task, *ik.solver, clearance, {}, options, 2, {});
-    Eigen::Index vertices = 0;
+        sample_path({*robot, *ik.solver, clearance, cost, options}, task, 2, {});
+    EdgeRules rules;
+    rules.period = turn_periods(*robot, turns);
+    rules.lower = robot->lower_limits();
+    rules.upper = robot->upper_limits();
+    std::size_t vertices = 0;
     double farthest = 0;
     for (std::size_t i = 0; i < sampled.rungs.size(); ++i) {
-      vertices += sampled.rungs[i].size();
+      for (Eigen::Index v = 0; v < sampled.rungs[i].size(); ++v) {
+        vertices += copy_count(sampled.rungs[i], rules, v);
+      }
       for (Eigen::Index v = 0; v < sampled.rungs[i].size(); v += 37) {
         const Eigen::Matrix4d tip = kr5::torch_tip(sampled.rungs[i].vertex(v), 0.3);
         const Pose& frame = task.waypoints[i].frame;

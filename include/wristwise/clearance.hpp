@@ -41,6 +41,8 @@ class ClearanceModel {
   const std::vector<Pair>& pairs() const { return pairs_; }
   const std::vector<Names>& permanent_contacts() const { return permanent_contacts_; }
   double clearance() const { return clearance_; }  ///< required, m
+  /// The same pairs with another clearance (m, >= 0).
+  ClearanceModel with_clearance(double clearance) const;
   Names names(int pair) const;
 
   /// Bound on how fast the distance of a pair changes: |d(q + dq) - d(q)| <= sum_j r_j |dq_j| for

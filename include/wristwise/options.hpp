@@ -1,11 +1,20 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <limits>
 #include <vector>
 
 #include "wristwise/inverse_kinematics.hpp"
 #include "wristwise/pose.hpp"
 
 namespace wristwise {
+
+/// How far a posture is from a singular one, from 0 (singular) to 1 (F20).
+enum class SingularityMeasure {
+  wrist,           ///< sine of the angle between the last joint's axis and the last but two's
+  manipulability,  ///< Yoshikawa's measure, relative to the largest found in the robot's workspace
+};
 
 /// What is minimised, in both stages.
 struct CostOptions {
@@ -15,8 +24,30 @@ struct CostOptions {
   double euler_graph = 0;   ///< rad of joint motion per rad of deviation at each vertex
   double euler_refine = 0;  ///< weight of (eta^2 alpha^2 + beta^2) / tau^2
   double euler_eta = 1;     ///< alpha's share against beta's (eq. 9)
+  bool squared_steps = false;  ///< stage 1: the sum of squared joint steps instead of eq. 4
+  double singularity_graph = 0;  ///< rad of joint motion at each vertex that is singular; less
+                                 ///< where it is farther from that: w (1 - measure)
+  SingularityMeasure singularity_measure = SingularityMeasure::wrist;
+  /// The caller's own cost of a posture (at a waypoint) and of a move (in the interval after a
+  /// waypoint) in stage 1, rad of joint motion, >= 0, added to the rest. Infinity: not allowed.
+  /// Called from several threads.
+  std::function<double(std::size_t waypoint, const JointVector& q)> vertex_cost;
+  std::function<double(std::size_t interval, const JointVector& from, const JointVector& to)>
+      edge_cost;
   std::vector<double>
       joint_weights;  ///< one per joint, of its step or its derivatives; empty: ones
+};
+
+/// When stage 1 measures whether a posture has the clearance.
+enum class CollisionChecks {
+  lazy,   ///< only where a best path needs it: the same path and cost with fewer checks
+  eager,  ///< for every sample
+};
+
+/// Which waypoints stage 1 plans.
+enum class Planner {
+  dense,   ///< all of them
+  sparse,  ///< a few, with joint interpolation between them; more where that goes astray
 };
 
 /// Stage 1.
@@ -27,11 +58,25 @@ struct GraphOptions {
   /// Sampling step of the ranges of joint waypoints, rad or m, one per joint; 0: the ends and the
   /// middle. Empty: all 0.
   std::vector<double> joint_step;
+  /// > 0: steps are chosen so that a waypoint has about so many samples, `step` unused.
+  int automatic_samples = 0;
+  /// Samples again, ever finer, around the best path until the cost settles.
+  bool coarse_to_fine = false;
+  Planner planner = Planner::dense;
+  /// rad or m; sparse: how far an interpolated posture may be from the nearest one in tolerance.
+  double sparse_deviation = 0.05;
+  int seeds = 1;  ///< distinct paths to look for, the best first
+  /// rad or m; paths are distinct where at some waypoint a joint differs by more, whole turns not
+  /// counted.
+  double seed_separation = 0.5;
   Turns turns = Turns::all;
   /// m; no edge on which the TCP strays farther than this from the seam half-way between two
   /// waypoints: a joint-space move that swings the torch away from the weld is no way past an
   /// obstacle. Infinity: any.
   double max_stray = 0.02;
+  double max_tcp_step = std::numeric_limits<double>::infinity();  ///< m, from waypoint to waypoint
+  double max_tcp_turn = std::numeric_limits<double>::infinity();  ///< rad, likewise
+  CollisionChecks collision_checks = CollisionChecks::lazy;
 };
 
 /// Stage 2.

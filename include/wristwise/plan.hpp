@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "wristwise/monitor.hpp"
@@ -26,22 +28,55 @@ struct PlanOptions {
   VerificationOptions verification;
 };
 
+/// What became of the samples of a waypoint that cannot be passed.
+struct FailureCounts {
+  std::size_t samples = 0;                                 ///< poses tried
+  std::size_t out_of_reach = 0;                            ///< poses without a branch
+  std::map<std::string, std::size_t> joint_limit;          ///< joint -> branches that it excludes
+  std::map<ClearanceModel::Names, std::size_t> collision;  ///< pair -> postures it excludes
+  std::size_t usable = 0;                                  ///< postures, whole turns included
+  // Of those, moves to them from the best posture at the waypoint before:
+  std::size_t too_fast = 0;  ///< for a joint
+  std::size_t too_far = 0;   ///< for graph.max_tcp_step or max_tcp_turn
+  std::size_t astray = 0;    ///< for graph.max_stray
+  std::size_t blocked = 0;   ///< by a collision on the way
+};
+
 /// Why there is no trajectory, or what is wrong with the one there is.
 struct Diagnosis {
   std::optional<std::size_t> waypoint;  ///< the first that fails
   std::string reason;      ///< out_of_reach, joint_limit, collision, no_edge, tolerance, ...
   std::string detail;      ///< one sentence
-  std::string suggestion;  ///< what would help
+  std::string suggestion;  ///< what would help; of stage 1, found by trying where that succeeded
+  std::optional<FailureCounts> counts = std::nullopt;
+};
+
+/// A path of stage 1, to start stage 2 from.
+struct Seed {
+  JointPath path;
+  double cost = 0;
+  std::size_t differs_at = 0;  ///< waypoint at which it differs from those before
 };
 
 struct GraphStatistics {
-  std::size_t vertices = 0;
+  std::size_t vertices = 0;          ///< copies by whole turns included
+  std::size_t postures = 0;          ///< copies by whole turns not included
+  std::size_t postures_checked = 0;  ///< for clearance, before any move
   double edges = 0;                  ///< of the whole graph
   double edges_evaluated = 0;        ///< looked at
   std::size_t collision_checks = 0;  ///< exact distance queries
   std::size_t edges_checked = 0;     ///< swept
+  double edges_if_eager = 0;    ///< moves that an eager check would sweep: one per pair of postures
   double cost = 0;
   double joint_motion_l1 = 0;  ///< rad and m
+  /// Whole turns of each joint between its value and (-pi, pi], at the first and the last waypoint.
+  std::vector<int> first_turns, last_turns;
+  int grid_rounds = 0;           ///< coarse to fine: searches after the first
+  double first_cost = 0;         ///< coarse to fine: on the grid of the options
+  std::size_t sparse_points = 0; ///< sparse: waypoints planned
+  int replans = 0;               ///< sparse: searches after the first
+  /// Where there is no path: the first and last waypoints of the pieces that have one.
+  std::vector<std::pair<std::size_t, std::size_t>> pieces;
 };
 
 struct CostTerm {
@@ -69,6 +104,7 @@ struct Timing {  ///< s
 struct PlanResult {
   Status status = Status::failed;
   Mode mode = Mode::two_stage;
+  std::vector<Seed> seeds;  ///< of stage 1, distinct, the best first
   JointPath path;         ///< at the waypoints; may be partial where there is no solution
   Trajectory trajectory;  ///< the curve; empty in graph-only mode
   GraphStatistics graph;

@@ -69,6 +69,13 @@ class ClearanceChecker::Impl {
   double lower_bound(int pair);
   PairDistance distance(int pair);
 
+  /// From the bounding balls alone: cheaper, and not above lower_bound.
+  double ball_bound(int pair) {
+    const MovingShape& a = shape_a(pair);
+    const MovingShape& b = shape_b(pair);
+    return (a.center - b.center).norm() - a.ball.radius - b.ball.radius;
+  }
+
   const ClearanceModel& model() const { return *model_; }
   const ChainPose& chain() const { return chain_; }
   std::size_t queries() const { return queries_; }
@@ -165,7 +172,7 @@ JointVector ClearanceChecker::gradient(const PairDistance& measured) const {
 std::optional<PairDistance> ClearanceChecker::first_below(double required) {
   const int count = static_cast<int>(impl_->model().pairs().size());
   for (int pair = 0; pair < count; ++pair) {
-    if (impl_->lower_bound(pair) >= required) continue;
+    if (impl_->ball_bound(pair) >= required || impl_->lower_bound(pair) >= required) continue;
     const PairDistance measured = impl_->distance(pair);
     if (!(measured.distance >= required)) return measured;
   }

@@ -51,6 +51,12 @@ ClearanceModel::ClearanceModel(std::shared_ptr<const Robot> robot, const Scene& 
   }
 }
 
+ClearanceModel ClearanceModel::with_clearance(double clearance) const {
+  ClearanceModel other = *this;
+  other.clearance_ = checked_clearance(clearance);
+  return other;
+}
+
 ClearanceModel::Names ClearanceModel::names(int pair) const {
   const Pair& p = pairs_.at(static_cast<std::size_t>(pair));
   return {bodies_[static_cast<std::size_t>(p.body_a)].name,

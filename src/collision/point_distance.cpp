@@ -25,7 +25,7 @@ PointDistance point_distance(const Box& box, const Eigen::Vector3d& point) {
 }
 
 PointDistance point_distance(const Cylinder& cylinder, const Eigen::Vector3d& point) {
-  const double across = std::hypot(point.x(), point.y());
+  const double across = std::sqrt(point.x() * point.x() + point.y() * point.y());
   const double radial = across - cylinder.radius;
   const double axial = std::abs(point.z()) - cylinder.length / 2;
   const Eigen::Vector3d radial_direction =
@@ -34,7 +34,7 @@ PointDistance point_distance(const Cylinder& cylinder, const Eigen::Vector3d& po
   const Eigen::Vector3d axial_direction(0, 0, std::copysign(1.0, point.z()));
   const double out_radial = std::max(radial, 0.0);
   const double out_axial = std::max(axial, 0.0);
-  const double distance = std::hypot(out_radial, out_axial);
+  const double distance = std::sqrt(out_radial * out_radial + out_axial * out_axial);
   if (distance > kOnSurface) {
     return {distance, (out_radial * radial_direction + out_axial * axial_direction) / distance};
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "graph/turn_copies.hpp"
 #include "wristwise/swept_clearance.hpp"
 
 namespace wristwise {
@@ -28,36 +29,49 @@ std::string joint_name(const Robot& robot, int joint) {
   return robot.joints()[static_cast<std::size_t>(joint)].name;
 }
 
-Diagnosis diagnose_waypoint(const Robot& robot, const Task& task, std::size_t waypoint,
-                            const SampleCounts& counts) {
+FailureCounts failure_counts(const Robot& robot, const SampleCounts& counts) {
+  FailureCounts result;
+  result.samples = counts.samples;
+  result.out_of_reach = counts.out_of_reach;
+  result.collision = counts.collision;
+  for (const auto& [joint, count] : counts.joint_limit) {
+    result.joint_limit[joint_name(robot, joint)] = count;
+  }
+  return result;
+}
+
+std::string tally(const FailureCounts& counts) {
+  return fmt::format("of {} samples {} are out of reach; {} branches break a joint limit, {} collide",
+                     counts.samples, counts.out_of_reach, total(counts.joint_limit),
+                     total(counts.collision));
+}
+
+Diagnosis diagnose_waypoint(const Task& task, std::size_t waypoint, FailureCounts counts) {
   Diagnosis diagnosis;
   diagnosis.waypoint = waypoint;
   const std::string where =
       fmt::format("waypoint {} ({:.4g} s): ", waypoint, task.waypoints[waypoint].time);
   const std::string widen =
       task.waypoints[waypoint].joints ? "widen the ranges of its joints" : "widen the tolerance";
-  const std::string tally = fmt::format(
-      " (of {} samples {} are out of reach; {} branches break a joint limit, {} collide)",
-      counts.samples, counts.out_of_reach, total(counts.joint_limit), total(counts.collision));
   if (!counts.collision.empty()) {
     const auto& [pair, count] = *most_frequent(counts.collision);
     diagnosis.reason = "collision";
-    diagnosis.detail = fmt::format(
-        "{}every reachable posture is nearer than the clearance, most "
-        "often {} - {}{}",
-        where, pair.first, pair.second, tally);
-    diagnosis.suggestion = widen + ", sample finer, lower scene.clearance, or move the part";
+    diagnosis.detail =
+        fmt::format("{}every reachable posture is nearer than the clearance, most often {} - {}",
+                    where, pair.first, pair.second);
+    diagnosis.suggestion = "move the part, or " + widen;
   } else if (!counts.joint_limit.empty()) {
-    const auto& [joint, count] = *most_frequent(counts.joint_limit);
     diagnosis.reason = "joint_limit";
-    diagnosis.detail = fmt::format("{}every branch breaks a joint limit, most often that of {}{}",
-                                   where, joint_name(robot, joint), tally);
+    diagnosis.detail = fmt::format("{}every branch breaks a joint limit, most often that of {}",
+                                   where, most_frequent(counts.joint_limit)->first);
     diagnosis.suggestion = "move the part, or " + widen;
   } else {
     diagnosis.reason = "out_of_reach";
-    diagnosis.detail = fmt::format("{}out of reach at every sample{}", where, tally);
+    diagnosis.detail = fmt::format("{}out of reach at every sample", where);
     diagnosis.suggestion = "move the part nearer to the robot, or widen the tolerance";
   }
+  diagnosis.detail += fmt::format(" ({})", tally(counts));
+  diagnosis.counts = std::move(counts);
   return diagnosis;
 }
 
@@ -90,60 +104,94 @@ std::pair<int, double> slowest_joint(const Rung& next, const JointVector& from,
   return worst;
 }
 
+/// Why the moves from the last posture reached to the usable ones of the next waypoint fail.
+void count_moves(const SamplingInput& input, const GraphSearch& graph, std::size_t interval,
+                 const JointVector& from, const Rung& next, double epsilon, FailureCounts& counts) {
+  ClearanceChecker checker(input.clearance);
+  counts.usable = static_cast<std::size_t>(next.size());
+  for (Eigen::Index v = 0; v < next.size(); ++v) {
+    const JointVector to = next.vertex(v);
+    if (((to - from).cwiseAbs().array() > graph.rules().max_step[interval].array()).any()) {
+      ++counts.too_fast;
+    } else if (graph.moves().steps_too_far(from, to)) {
+      ++counts.too_far;
+    } else if (graph.moves().stray(interval, from, to) > graph.moves().limits().stray) {
+      ++counts.astray;
+    } else if (!check_motion(checker, StraightMove(from, to), input.clearance->clearance(), epsilon)
+                    .clear) {
+      ++counts.blocked;
+    }
+  }
+}
+
+/// The pair that blocks the nearest move that is fast enough; nullopt where that is clear.
+std::optional<ClearanceModel::Names> blocking_pair(const SamplingInput& input,
+                                                   const JointVector& from, const JointVector& to,
+                                                   double epsilon) {
+  ClearanceChecker checker(input.clearance);
+  const SweptClearance swept =
+      check_motion(checker, StraightMove(from, to), input.clearance->clearance(), epsilon);
+  if (swept.clear) return std::nullopt;
+  return input.clearance->names(swept.pair);
+}
+
 }  // namespace
 
 std::optional<Diagnosis> diagnose_samples(const Robot& robot, const Task& task,
                                           const SampledPath& sampled) {
   for (std::size_t i = 0; i < sampled.rungs.size(); ++i) {
     if (sampled.rungs[i].size() == 0) {
-      return diagnose_waypoint(robot, task, i, sampled.counts[i]);
+      return diagnose_waypoint(task, i, failure_counts(robot, sampled.counts[i]));
     }
   }
   return std::nullopt;
 }
 
-Diagnosis diagnose_moves(const Task& task, const SampledPath& sampled, const EdgeRules& rules,
-                         const LadderPath& path, const MoveChecker& moves,
-                         const std::shared_ptr<const ClearanceModel>& clearance,
-                         double clearance_epsilon) {
-  const std::size_t last = path.vertices.size() - 1;
-  const JointVector from = sampled.rungs[last].vertex(path.vertices.back());
-  const Rung& next = sampled.rungs[last + 1];
-  const Eigen::Index nearest = nearest_in_time(next, from, rules, last);
+Diagnosis diagnose_search(const SamplingInput& input, const Task& task, const GraphSearch& graph,
+                          const LadderPath& path, double clearance_epsilon) {
+  const std::size_t failing = path.positions.size();
+  SampleCounts samples;
+  const Rung usable = sample_waypoint(input, task.waypoints[failing], samples);
+  FailureCounts counts = failure_counts(input.robot, samples);
+  if (usable.size() == 0 || failing == 0) return diagnose_waypoint(task, failing, counts);
+
+  const EdgeRules& rules = graph.rules();
+  const Rung next = expand_turns({usable}, rules).rungs.front();
+  const std::size_t last = failing - 1;
+  const JointVector from = path.positions.back();
+  count_moves(input, graph, last, from, next, clearance_epsilon, counts);
+
   Diagnosis diagnosis;
-  diagnosis.waypoint = last + 1;
-  diagnosis.detail =
-      fmt::format("waypoint {} ({:.4g} s): ", last + 1, task.waypoints[last + 1].time);
+  diagnosis.waypoint = failing;
+  diagnosis.detail = fmt::format("waypoint {} ({:.4g} s): ", failing, task.waypoints[failing].time);
+  const Eigen::Index nearest = nearest_in_time(next, from, rules, last);
   if (nearest < 0) {
     const auto [joint, ratio] = slowest_joint(next, from, rules.max_step[last]);
     diagnosis.reason = "no_edge";
     diagnosis.detail += fmt::format(
         "no posture can be reached in time from waypoint {}; the least demanding one needs {:.2f} "
         "times the speed of {}",
-        last, ratio, joint_name(clearance->robot(), joint));
+        last, ratio, joint_name(input.robot, joint));
     diagnosis.suggestion = "weld slower, sample finer, or widen the tolerance";
-    return diagnosis;
-  }
-  ClearanceChecker checker(clearance);
-  const SweptClearance swept = check_motion(checker, StraightMove(from, next.vertex(nearest)),
-                                            clearance->clearance(), clearance_epsilon);
-  if (!swept.clear) {
-    const auto names = clearance->names(swept.pair);
+  } else if (const auto pair =
+                 blocking_pair(input, from, next.vertex(nearest), clearance_epsilon)) {
     diagnosis.reason = "collision";
-    diagnosis.detail +=
-        fmt::format("every move from waypoint {} is blocked, the nearest by {} - {}", last,
-                    names.first, names.second);
-    diagnosis.suggestion =
-        "widen the tolerance so that the torch can pass, lower scene.clearance, "
-        "or move the obstacle";
-    return diagnosis;
+    diagnosis.detail += fmt::format("every move from waypoint {} is blocked, the nearest by {} - {}",
+                                    last, pair->first, pair->second);
+    diagnosis.suggestion = "widen the tolerance so that the torch can pass, or move the obstacle";
+  } else {
+    diagnosis.reason = "no_edge";
+    diagnosis.detail += fmt::format(
+        "every move from waypoint {} is blocked or swings the TCP off the seam, the nearest by "
+        "{:.1f} mm",
+        last, 1e3 * graph.moves().stray(last, from, next.vertex(nearest)));
+    diagnosis.suggestion = "sample finer, use more waypoints, or raise graph.max_stray";
   }
-  diagnosis.reason = "no_edge";
   diagnosis.detail += fmt::format(
-      "every move from waypoint {} is blocked or swings the TCP off the seam, the nearest by "
-      "{:.1f} mm",
-      last, 1e3 * moves.stray(last, from, next.vertex(nearest)));
-  diagnosis.suggestion = "sample finer, use more waypoints, or raise graph.max_stray";
+      " ({}; of {} usable postures, seen from the best one before, {} are too fast to reach, {} too "
+      "far, {} astray, {} behind an obstacle)",
+      tally(counts), counts.usable, counts.too_fast, counts.too_far, counts.astray, counts.blocked);
+  diagnosis.counts = std::move(counts);
   return diagnosis;
 }
 

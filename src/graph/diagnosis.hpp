@@ -2,8 +2,7 @@
 
 #include <optional>
 
-#include "graph/move_checker.hpp"
-#include "graph/path_sampling.hpp"
+#include "graph/graph_search.hpp"
 #include "wristwise/plan.hpp"
 
 namespace wristwise {
@@ -13,9 +12,7 @@ std::optional<Diagnosis> diagnose_samples(const Robot& robot, const Task& task,
                                           const SampledPath& sampled);
 
 /// Why no move leads on from the last rung that could be reached.
-Diagnosis diagnose_moves(const Task& task, const SampledPath& sampled, const EdgeRules& rules,
-                         const LadderPath& path, const MoveChecker& moves,
-                         const std::shared_ptr<const ClearanceModel>& clearance,
-                         double clearance_epsilon);
+Diagnosis diagnose_search(const SamplingInput& input, const Task& task, const GraphSearch& graph,
+                          const LadderPath& path, double clearance_epsilon);
 
 }  // namespace wristwise

@@ -1,275 +1,231 @@
 #include "graph/ladder_graph.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
-#include <tuple>
-#include <unordered_map>
-#include <utility>
+#include <numeric>
 
-#include "cancelled.hpp"
-#include "graph/relaxation.hpp"
-#include "parallel.hpp"
+#include "graph/corridor_search.hpp"
+#include "graph/path_bounds.hpp"
+#include "graph/turn_copies.hpp"
 
 namespace wristwise {
 
+// Three relaxations make an exact search cheap:
+// - Copies. Without joint limits all copies of a path by whole turns cost the same. The search sees
+//   each configuration once and goes the shorter way round; the path found is then shifted into the
+//   limits. Where that works it is the optimum, as limits can only make a path dearer.
+// - Skipped rungs (PathBounds) tell which vertices a path of limited cost may use at all.
+// - Checks are left until a path needs them (CorridorSearch).
+
 namespace {
 
-constexpr double kUnreachable = std::numeric_limits<double>::infinity();
+JointVector or_infinite(const JointVector& period, Eigen::Index joints) {
+  return period.size() > 0 ? period : JointVector::Constant(joints, kInfinity);
+}
 
-/// After this many blocked moves of best paths in one interval, the moves into every vertex of the
-/// interval are checked during relaxation: each further search would only find the next blocked
-/// one.
-constexpr int kLazyAttempts = 2;
-
-/// A move that is the same for all copies of its ends that differ by the same turns.
-struct Move {
-  Eigen::Index from;   ///< first copy
-  std::int64_t turns;  ///< turn code of the end less that of the start
-  bool operator==(const Move& other) const { return from == other.from && turns == other.turns; }
-};
-struct MoveHash {
-  std::size_t operator()(const Move& move) const {
-    return std::hash<std::int64_t>()(move.turns * 1000003 + move.from);
+Corridor everything(const std::vector<Rung>& rungs) {
+  Corridor corridor;
+  for (const Rung& rung : rungs) {
+    corridor.emplace_back(static_cast<std::size_t>(rung.size()));
+    std::iota(corridor.back().begin(), corridor.back().end(), Eigen::Index{0});
   }
+  return corridor;
+}
+
+bool is_narrower(const Corridor& corridor, std::size_t width) {
+  return std::all_of(corridor.begin(), corridor.end(),
+                     [width](const auto& rung) { return rung.size() < width; });
+}
+
+/// Finds the least-cost path in corridors: narrow ones, which give a path and so an upper bound, then
+/// one that holds every path up to that bound. The more rungs the bounds look at, the narrower that
+/// is, and the dearer are the bounds.
+class LadderSearch {
+ public:
+  LadderSearch(const SearchGraph& graph, KnownChecks& known, int threads, const Monitor& monitor)
+      : graph_(graph), known_(known), threads_(threads), monitor_(monitor) {
+    for (const Rung& rung : *graph.rungs) {
+      largest_ = std::max(largest_, static_cast<std::size_t>(rung.size()));
+    }
+  }
+
+  CorridorSearch::Result run() {
+    std::size_t stride = graph_.metric.squared ? 1 : kFirstStride;
+    double slack = kFirstSlack;
+    for (std::size_t width = kFirstWidth; stride > 0 && width < largest_;) {
+      const std::size_t blocked_before = known_.blocked();
+      PathBounds bounds(*graph_.rungs, graph_.metric, stride, is_blocked(), threads_, monitor_);
+      const Attempt attempt = search_within(bounds, width, slack);
+      evaluated_ += static_cast<double>(bounds.evaluated());
+      if (attempt.best) return *attempt.best;
+      if (!attempt.found_any) {
+        width *= kWider;
+        slack *= kWider;
+      }
+      if (attempt.found_any && known_.blocked() == blocked_before) stride /= 2;
+    }
+    return search(everything(*graph_.rungs), true);
+  }
+
+  double evaluated() const { return evaluated_; }
+
+ private:
+  static constexpr std::size_t kFirstStride = 4;
+  static constexpr std::size_t kFirstWidth = 64;
+  static constexpr double kFirstSlack = 0.1;  ///< relative to the bound
+  static constexpr int kWider = 2;
+
+  struct Attempt {
+    bool found_any = false;
+    std::optional<CorridorSearch::Result> best;  ///< where it is known to be the best of all
+  };
+
+  Attempt search_within(const PathBounds& bounds, std::size_t width, double slack) {
+    if (bounds.least() == kInfinity) return {};
+    double limit = 0;
+    std::optional<Corridor> narrow;
+    for (; !narrow; slack *= kWider) {
+      if (slack > 1e6) return {};
+      limit = bounds.least() + slack * (0.1 + std::abs(bounds.least()));
+      narrow = bounds.corridor(limit, width);
+    }
+    const CorridorSearch::Result path = search(*narrow, false);
+    if (!path.found) return {};
+    if (is_narrower(*narrow, width) && path.cost <= limit) return {true, path};
+    const std::size_t widest = largest_ / 2;
+    const auto all = bounds.corridor(path.cost, widest);
+    if (all && is_narrower(*all, widest)) return {true, search(*all, true)};
+    return {true, std::nullopt};
+  }
+
+  PathBounds::IsBlocked is_blocked() const {
+    return [this](std::size_t rung, Eigen::Index vertex) {
+      return known_.is_blocked(rung, graph_.configuration(rung, vertex));
+    };
+  }
+
+  CorridorSearch::Result search(const Corridor& corridor, bool repair_part) {
+    CorridorSearch search(graph_, corridor, known_, threads_, monitor_);
+    CorridorSearch::Result path = search.run(repair_part);
+    evaluated_ += path.evaluated;
+    return path;
+  }
+
+  const SearchGraph& graph_;
+  KnownChecks& known_;
+  const int threads_;
+  const Monitor& monitor_;
+  std::size_t largest_ = 0;
+  double evaluated_ = 0;
 };
-using KnownMoves = std::unordered_map<Move, bool, MoveHash>;  ///< -> clear
 
 class Search {
  public:
   Search(const std::vector<Rung>& rungs, const EdgeRules& rules, int threads,
-         const Monitor& monitor)
-      : rungs_(rungs),
-        rules_(rules),
-        threads_(threads),
-        monitor_(monitor),
-        states_(rungs.size()),
-        intervals_(rungs.size() - 1) {
-    states_[0].distance = rungs[0].cost;
-    for (std::size_t i = 0; i < intervals_.size(); ++i) {
-      intervals_[i].known.resize(static_cast<std::size_t>(rungs[i + 1].size()));
-      intervals_[i].max_step = binding_step(rungs[i], rungs[i + 1], rules.max_step[i]);
-    }
+         const Monitor& monitor, KnownChecks& known)
+      : rungs_(rungs), rules_(rules), threads_(threads), monitor_(monitor), known_(known) {
+    period_ = or_infinite(rules.period, rules.weight.size());
   }
 
   LadderPath run() {
-    do {
-      reached_ = relax_stale_intervals();
-    } while (find_blocked_moves());
-    return result();
+    const bool turns_matter = rules_.vertex_cost || rules_.edge_cost;
+    if (turns_matter || !find_without_copies()) find_with_copies();
+    count();
+    return std::move(path_);
   }
 
  private:
-  /// Least cost of each vertex of a rung, and the vertex it is reached from.
-  struct State {
-    Eigen::ArrayXd distance;
-    std::vector<Eigen::Index> predecessor;
-  };
-  struct Interval {
-    std::vector<KnownMoves> known;  ///< for each first copy at the end of the interval
-    int blocked = 0;
-    bool check_all = false;
-    bool stale = true;  ///< its moves have changed since it was relaxed
-    std::size_t moves_checked = 0;
-    JointVector max_step;
-  };
-  /// What a thread works with.
-  struct Scratch {
-    Eigen::ArrayXd total;
-    std::vector<Eigen::Index> order;
-    std::size_t moves_checked = 0;
-  };
+  /// false where limits or blocked moves make the copies matter.
+  bool find_without_copies() {
+    const SearchGraph graph{&rungs_, {}, {rules_.weight, period_, rules_.squared}, &rules_};
+    const auto result = search(graph);
+    if (!result.found && known_.any_move_blocked()) return false;
+    const auto lifted = lift_turns(rungs_, rules_, result.vertices, period_);
+    if (!lifted) return false;
+    if (known_.any_move_blocked() && result.cost > least_of_long_way()) return false;
+    path_.found = result.found;
+    path_.vertices = result.vertices;
+    path_.positions = *lifted;
+    path_.cost = result.cost;
+    return true;
+  }
 
-  /// The step limit, infinite for joints that could not break it between these rungs.
-  static JointVector binding_step(const Rung& from, const Rung& to, JointVector max_step) {
-    for (int j = 0; j < max_step.size(); ++j) {
-      const auto& a = from.positions.col(j);
-      const auto& b = to.positions.col(j);
-      const double largest = std::max(b.maxCoeff() - a.minCoeff(), a.maxCoeff() - b.minCoeff());
-      if (largest <= max_step[j]) max_step[j] = kUnreachable;
+  /// A path that somewhere goes the longer way round costs at least this.
+  double least_of_long_way() const {
+    double base = 0, least = kInfinity;
+    for (const Rung& rung : rungs_) base += rung.cost.minCoeff();
+    for (Eigen::Index j = 0; j < period_.size(); ++j) {
+      if (period_[j] == kInfinity) continue;
+      const double half = period_[j] / 2;
+      least = std::min(least, rules_.weight[j] * (rules_.squared ? half * half : half));
     }
-    return max_step;
+    return base + least;
   }
 
-  /// Relaxes the intervals whose moves or start have changed; returns the last rung that can be
-  /// reached.
-  std::size_t relax_stale_intervals() {
-    bool start_changed = false;
-    for (std::size_t i = 0; i + 1 < rungs_.size(); ++i) {
-      Eigen::ArrayXd& distance = states_[i + 1].distance;
-      if (start_changed || intervals_[i].stale) {
-        throw_if_cancelled(monitor_);
-        Eigen::ArrayXd before;
-        before.swap(distance);
-        relax(i);
-        intervals_[i].stale = false;
-        start_changed = before.size() != distance.size() || (before != distance).any();
-        monitor_.report("search",
-                        static_cast<double>(i + 1) / static_cast<double>(rungs_.size() - 1));
-      }
-      if (distance.minCoeff() == kUnreachable) return i;
+  void find_with_copies() {
+    TurnCopies copies = expand_turns(rungs_, rules_);
+    if (rules_.vertex_cost) add_vertex_cost(copies);
+    const SearchGraph graph{&copies.rungs, copies.original,
+                            {rules_.weight, copies.period, rules_.squared}, &rules_};
+    const auto result = search(graph);
+    path_.found = result.found;
+    path_.cost = result.cost;
+    path_.vertices.clear();
+    EdgeRules unlimited = rules_;
+    unlimited.lower = JointVector::Constant(rules_.weight.size(), -kInfinity);
+    unlimited.upper = JointVector::Constant(rules_.weight.size(), kInfinity);
+    path_.positions = *lift_turns(copies.rungs, unlimited, result.vertices, copies.period);
+    for (std::size_t i = 0; i < result.vertices.size(); ++i) {
+      path_.vertices.push_back(graph.configuration(i, result.vertices[i]));
     }
-    return rungs_.size() - 1;
   }
 
-  void relax(std::size_t i) {
-    const Eigen::Index count = rungs_[i + 1].size();
-    State& state = states_[i + 1];
-    state.distance.resize(count);
-    state.predecessor.resize(static_cast<std::size_t>(count));
-    edges_evaluated_ += static_cast<double>(count) * static_cast<double>(rungs_[i].size());
-
-    const std::vector<Eigen::Index> chunks = chunk_starts(rungs_[i + 1]);
-    std::vector<Scratch> scratch(static_cast<std::size_t>(threads_));
-    parallel_for(chunks.size() - 1, threads_, [&](int worker, std::size_t chunk) {
-      for (Eigen::Index v = chunks[chunk]; v < chunks[chunk + 1]; ++v) {
-        relax_vertex(i, v, worker, scratch[static_cast<std::size_t>(worker)]);
-      }
-    });
-    for (const Scratch& used : scratch) intervals_[i].moves_checked += used.moves_checked;
-  }
-
-  static Eigen::Index first_copy(const Rung& rung, Eigen::Index v) {
-    return rung.first_copy.empty() ? v : rung.first_copy[static_cast<std::size_t>(v)];
-  }
-  static std::int64_t turn_code(const Rung& rung, Eigen::Index v) {
-    return rung.turn_code.empty() ? 0 : rung.turn_code[static_cast<std::size_t>(v)];
-  }
-
-  /// Cuts a rung into chunks for the threads, never between copies of one posture: they share what
-  /// is known of their moves.
-  static std::vector<Eigen::Index> chunk_starts(const Rung& rung) {
-    constexpr Eigen::Index kChunk = 16;
-    std::vector<Eigen::Index> starts;
-    for (Eigen::Index v = 0; v < rung.size(); ++v) {
-      const bool is_due = starts.empty() || v - starts.back() >= kChunk;
-      if (is_due && first_copy(rung, v) == v) starts.push_back(v);
-    }
-    starts.push_back(rung.size());
-    return starts;
-  }
-
-  void relax_vertex(std::size_t i, Eigen::Index v, int worker, Scratch& scratch) {
-    const Rung& from = rungs_[i];
-    const Rung& to = rungs_[i + 1];
-    scratch.total.resize(from.size());
-    const JointVector target = to.vertex(v);
-    double least = relax_towards({from.positions.data(), static_cast<std::size_t>(from.size()),
-                                  static_cast<int>(from.positions.cols())},
-                                 states_[i].distance.data(), target.data(), rules_.weight.data(),
-                                 intervals_[i].max_step.data(), scratch.total.data());
-    Eigen::Index best = 0;
-    if (least < kUnreachable) {
-      const double* const total = scratch.total.data();
-      best = std::find(total, total + scratch.total.size(), least) - total;
-      if (!is_allowed(i, best, v, worker, scratch.moves_checked)) {
-        std::tie(best, least) = next_best(i, v, worker, scratch);
+  void add_vertex_cost(TurnCopies& copies) const {
+    for (std::size_t i = 0; i < copies.rungs.size(); ++i) {
+      Rung& rung = copies.rungs[i];
+      for (Eigen::Index v = 0; v < rung.size(); ++v) {
+        rung.cost[v] += rules_.vertex_cost(i, rung.vertex(v));
       }
     }
-    states_[i + 1].distance[v] = least + to.cost[v];
-    states_[i + 1].predecessor[static_cast<std::size_t>(v)] = best;
   }
 
-  /// The cheapest vertex to come from by a move that is allowed.
-  std::pair<Eigen::Index, double> next_best(std::size_t i, Eigen::Index v, int worker,
-                                            Scratch& scratch) {
-    const Eigen::ArrayXd& total = scratch.total;
-    std::vector<Eigen::Index>& order = scratch.order;
-    order.clear();
-    for (Eigen::Index u = 0; u < total.size(); ++u) {
-      if (total[u] < kUnreachable) order.push_back(u);
+  CorridorSearch::Result search(const SearchGraph& graph) {
+    LadderSearch search(graph, known_, threads_, monitor_);
+    auto result = search.run();
+    path_.statistics.edges_evaluated += search.evaluated();
+    return result;
+  }
+
+  void count() {
+    LadderStatistics& statistics = path_.statistics;
+    double previous = 0;
+    for (const Rung& rung : rungs_) {
+      std::size_t vertices = 0;
+      for (Eigen::Index v = 0; v < rung.size(); ++v) vertices += copy_count(rung, rules_, v);
+      statistics.vertices += vertices;
+      statistics.edges += previous * static_cast<double>(vertices);
+      previous = static_cast<double>(vertices);
     }
-    const auto is_worse = [&total](Eigen::Index a, Eigen::Index b) {
-      return total[a] != total[b] ? total[a] > total[b] : a > b;
-    };
-    std::make_heap(order.begin(), order.end(), is_worse);
-    for (auto end = order.end(); end != order.begin();) {
-      std::pop_heap(order.begin(), end--, is_worse);
-      if (is_allowed(i, *end, v, worker, scratch.moves_checked)) return {*end, total[*end]};
-    }
-    return {0, kUnreachable};
-  }
-
-  /// A move that is not known to be blocked; where the interval asks for it, known to be clear.
-  bool is_allowed(std::size_t i, Eigen::Index u, Eigen::Index v, int worker,
-                  std::size_t& moves_checked) {
-    if (!rules_.is_clear) return true;
-    if (intervals_[i].check_all) return is_clear(i, u, v, worker, moves_checked);
-    const KnownMoves& known = known_moves(i, v);
-    const auto entry = known.find(move(i, u, v));
-    return entry == known.end() || entry->second;
-  }
-
-  Move move(std::size_t i, Eigen::Index u, Eigen::Index v) const {
-    return {first_copy(rungs_[i], u), turn_code(rungs_[i + 1], v) - turn_code(rungs_[i], u)};
-  }
-
-  KnownMoves& known_moves(std::size_t i, Eigen::Index v) {
-    return intervals_[i].known[static_cast<std::size_t>(first_copy(rungs_[i + 1], v))];
-  }
-
-  bool is_clear(std::size_t i, Eigen::Index u, Eigen::Index v, int worker,
-                std::size_t& moves_checked) {
-    const auto [entry, is_new] = known_moves(i, v).try_emplace(move(i, u, v), true);
-    if (is_new) {
-      ++moves_checked;
-      entry->second = rules_.is_clear(worker, i, rungs_[i].vertex(u), rungs_[i + 1].vertex(v));
-    }
-    return entry->second;
-  }
-
-  /// Checks the moves of the best path found and marks the blocked ones; false if there are none.
-  bool find_blocked_moves() {
-    if (!rules_.is_clear) return false;
-    bool any = false;
-    const std::vector<Eigen::Index> vertices = best_vertices();
-    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-      Interval& interval = intervals_[i];
-      if (is_clear(i, vertices[i], vertices[i + 1], 0, interval.moves_checked)) continue;
-      any = interval.stale = true;
-      interval.check_all = ++interval.blocked >= kLazyAttempts;
-    }
-    return any;
-  }
-
-  std::vector<Eigen::Index> best_vertices() const {
-    std::vector<Eigen::Index> vertices(reached_ + 1);
-    states_[reached_].distance.minCoeff(&vertices[reached_]);
-    for (std::size_t i = reached_; i > 0; --i) {
-      vertices[i - 1] = states_[i].predecessor[static_cast<std::size_t>(vertices[i])];
-    }
-    return vertices;
-  }
-
-  LadderPath result() const {
-    LadderPath path;
-    path.found = reached_ + 1 == rungs_.size();
-    path.vertices = best_vertices();
-    path.cost = states_[reached_].distance[path.vertices.back()];
-    path.edges_evaluated = edges_evaluated_;
-    for (std::size_t i = 0; i + 1 < rungs_.size(); ++i) {
-      path.edges +=
-          static_cast<double>(rungs_[i].size()) * static_cast<double>(rungs_[i + 1].size());
-      path.edges_checked += intervals_[i].moves_checked;
-    }
-    return path;
+    statistics.usable_checks = known_.usable_checks();
+    statistics.clear_checks = known_.clear_checks();
   }
 
   const std::vector<Rung>& rungs_;
   const EdgeRules& rules_;
   const int threads_;
   const Monitor& monitor_;
-  std::vector<State> states_;
-  std::vector<Interval> intervals_;
-  std::size_t reached_ = 0;
-  double edges_evaluated_ = 0;
+  KnownChecks& known_;
+  JointVector period_;
+  LadderPath path_;
 };
 
 }  // namespace
 
 LadderPath find_least_cost_path(const std::vector<Rung>& rungs, const EdgeRules& rules, int threads,
-                                const Monitor& monitor) {
-  return Search(rungs, rules, threads, monitor).run();
+                                const Monitor& monitor, KnownChecks* known) {
+  if (known != nullptr) return Search(rungs, rules, threads, monitor, *known).run();
+  KnownChecks own(rungs, rules);
+  return Search(rungs, rules, threads, monitor, own).run();
 }
 
 }  // namespace wristwise

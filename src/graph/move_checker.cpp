@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "wristwise/swept_clearance.hpp"
 
@@ -9,20 +10,25 @@ namespace wristwise {
 
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::array<double, 3> kStraySamples = {0.25, 0.5, 0.75};
 
 }  // namespace
 
 MoveChecker::MoveChecker(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
-                         double max_stray, double epsilon, int threads)
+                         const Limits& limits, double epsilon, int threads)
     : robot_(clearance->robot()),
-      max_stray_(max_stray),
+      limits_(limits),
       required_(clearance->clearance()),
       epsilon_(epsilon) {
   for (int i = 0; i < threads; ++i) workers_.push_back({ClearanceChecker(clearance)});
   for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
     stretches_.push_back(stretch(task, i));
   }
+}
+
+bool MoveChecker::Limits::any() const {
+  return stray < kInfinity || tcp_step < kInfinity || tcp_turn < kInfinity;
 }
 
 MoveChecker::Stretch MoveChecker::stretch(const Task& task, std::size_t interval) {
@@ -38,7 +44,8 @@ MoveChecker::Stretch MoveChecker::stretch(const Task& task, std::size_t interval
 
 bool MoveChecker::is_clear(int worker, std::size_t interval, const JointVector& from,
                            const JointVector& to) {
-  if (stray(interval, from, to) > max_stray_) return false;
+  if (steps_too_far(from, to)) return false;
+  if (limits_.stray < kInfinity && stray(interval, from, to) > limits_.stray) return false;
   Worker& own = workers_[static_cast<std::size_t>(worker)];
   if (own.checker.model().pairs().empty()) return true;
   if (is_blocked_as_before(own, from, to)) return false;
@@ -49,6 +56,27 @@ bool MoveChecker::is_clear(int worker, std::size_t interval, const JointVector& 
     own.s = swept.s;
   }
   return swept.clear;
+}
+
+bool MoveChecker::steps_too_far(const JointVector& from, const JointVector& to) const {
+  if (limits_.tcp_step == kInfinity && limits_.tcp_turn == kInfinity) return false;
+  const Pose step = tcp_pose(robot_, from).inverse() * tcp_pose(robot_, to);
+  return step.translation().norm() > limits_.tcp_step ||
+         Eigen::AngleAxisd(step.linear()).angle() > limits_.tcp_turn;
+}
+
+/// Postures that are too near are mostly so for the same pair.
+bool MoveChecker::has_clearance(int worker, const JointVector& q) {
+  Worker& own = workers_[static_cast<std::size_t>(worker)];
+  if (own.checker.model().pairs().empty()) return true;
+  own.checker.set_posture(q);
+  if (own.posture_pair >= 0 && own.checker.lower_bound(own.posture_pair) < required_ &&
+      own.checker.distance(own.posture_pair).distance < required_) {
+    return false;
+  }
+  const auto hit = own.checker.first_below(required_);
+  if (hit) own.posture_pair = hit->pair;
+  return !hit;
 }
 
 double MoveChecker::stray(std::size_t interval, const JointVector& from,

@@ -8,14 +8,23 @@
 
 namespace wristwise {
 
-/// Whether the straight joint-space move between two waypoints can be welded: the TCP stays near
-/// the seam, and the clearance is kept (F10).
+/// Whether a posture, and the straight joint-space move between two waypoints, can be welded: the
+/// clearance is kept (F10), the TCP stays near the seam and steps no farther than it may.
 class MoveChecker {
  public:
-  /// @param max_stray m, the largest distance of the TCP from the seam; infinity: any
+  struct Limits {
+    double stray = 0;     ///< m, of the TCP from the seam; infinity: any
+    double tcp_step = 0;  ///< m, of the TCP from waypoint to waypoint; infinity: any
+    double tcp_turn = 0;  ///< rad, likewise
+    bool any() const;
+  };
+
   /// @param epsilon m, of the swept clearance check
   MoveChecker(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
-              double max_stray, double epsilon, int threads);
+              const Limits& limits, double epsilon, int threads);
+
+  /// Does not depend on the worker (below `threads`), nor on what was asked before.
+  bool has_clearance(int worker, const JointVector& q);
 
   /// The move from a posture at waypoint `interval` to one at the next.
   /// Does not depend on the worker (below `threads`), nor on what was asked before.
@@ -25,7 +34,9 @@ class MoveChecker {
   /// quarters of the move; 0 where no path is prescribed.
   double stray(std::size_t interval, const JointVector& from, const JointVector& to) const;
 
-  double max_stray() const { return max_stray_; }
+  bool steps_too_far(const JointVector& from, const JointVector& to) const;
+
+  const Limits& limits() const { return limits_; }
 
   /// Exact distance queries made by all threads.
   std::size_t queries() const;
@@ -35,6 +46,7 @@ class MoveChecker {
     ClearanceChecker checker;
     int pair = -1;  ///< of the last blocked move
     double s = 0.5;
+    int posture_pair = -1;  ///< of the last posture that was too near
   };
   bool is_blocked_as_before(Worker& worker, const JointVector& from, const JointVector& to) const;
 
@@ -46,7 +58,7 @@ class MoveChecker {
   };
   static Stretch stretch(const Task& task, std::size_t interval);
   std::vector<Stretch> stretches_;  ///< between waypoints
-  double max_stray_;
+  Limits limits_;
   double required_;
   double epsilon_;
 };

@@ -1,153 +1,243 @@
 #include "graph/path_sampling.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "cancelled.hpp"
 #include "graph/sampling_grid.hpp"
+#include "kinematics/singularity.hpp"
 #include "parallel.hpp"
 
 namespace wristwise {
 
 namespace {
 
+constexpr double kTurn = 6.28318530717958647692;
+constexpr double kLimitTolerance = 1e-12;
+
+/// Eq. 9.
+double euler_cost(const CostOptions& cost, const Vector6& e) {
+  return cost.euler_graph * (cost.euler_eta * std::abs(e[3]) + std::abs(e[4]));
+}
+
+/// The grid of one tolerance box.
+class SampleGrid {
+ public:
+  struct Sample {
+    Vector6 deviation;
+    Pose in_path_frame;  ///< of the TCP; where the box is in the path frame
+    double cost;
+  };
+
+  SampleGrid(const ToleranceBox& box, const std::vector<Vector6>& grid, const CostOptions& cost)
+      : box_(box) {
+    samples_.reserve(grid.size());
+    for (const Vector6& e : grid) {
+      samples_.push_back({e, pose_at_deviation(box, Pose::Identity(), e), euler_cost(cost, e)});
+    }
+  }
+
+  const std::vector<Sample>& samples() const { return samples_; }
+
+  bool is_of(const ToleranceBox& box) const {
+    return box_.frame == box.frame && box_.lower == box.lower && box_.upper == box.upper;
+  }
+
+  /// nullopt where the sample has other angles than those asked for: in the base frame the middle
+  /// angle may leave +-90 deg.
+  std::optional<Pose> pose(const Sample& sample, const Pose& path_frame) const {
+    if (box_.frame == ToleranceFrame::path) return path_frame * sample.in_path_frame;
+    const Pose tcp = pose_at_deviation(box_, path_frame, sample.deviation);
+    const Vector6 measured = deviation(box_, path_frame, tcp);
+    for (int k = 3; k < 6; ++k) {
+      if (std::abs(wrap_angle(measured[k] - sample.deviation[k])) > 1e-9) return std::nullopt;
+    }
+    return tcp;
+  }
+
+ private:
+  ToleranceBox box_;
+  std::vector<Sample> samples_;
+};
+
 /// Samples waypoints one after the other; one per thread.
 class WaypointSampler {
  public:
-  WaypointSampler(const Robot& robot, const InverseKinematics& ik,
-                  const std::shared_ptr<const ClearanceModel>& clearance, const CostOptions& cost,
-                  const GraphOptions& options)
-      : robot_(robot), ik_(ik), checker_(clearance), cost_(cost), options_(options) {}
+  WaypointSampler(const SamplingInput& input, bool check_clearance)
+      : input_(input),
+        period_(turn_periods(input.robot, input.options.turns)),
+        singularity_(input.robot, input.cost.singularity_measure) {
+    if (check_clearance) checker_.emplace(input.clearance);
+  }
 
-  std::size_t queries() const { return checker_.queries(); }
+  std::size_t queries() const { return checker_ ? checker_->queries() : 0; }
 
   Rung sample(const Waypoint& waypoint, SampleCounts& counts) {
-    postures_.clear();
+    positions_.clear();
     costs_.clear();
-    first_copies_.clear();
-    turn_codes_.clear();
-    if (waypoint.joints) {
-      for (const JointVector& q : joint_grid(*waypoint.joints, options_.joint_step)) {
-        ++counts.samples;
-        add_joint_waypoint(q, counts);
-      }
-    } else {
-      for (const Vector6& e : sampling_grid(waypoint.tolerance, options_.step)) {
-        ++counts.samples;
-        add_pose_sample(waypoint, e, counts);
-      }
+    if (waypoint.joints) return joint_rung(*waypoint.joints, counts);
+    if (!grid_ || !grid_->is_of(waypoint.tolerance)) {
+      grid_.emplace(waypoint.tolerance, waypoint_grid(waypoint.tolerance, input_.options),
+                    input_.cost);
+    }
+    return sample_grid(waypoint, *grid_, counts);
+  }
+
+  Rung sample(const Waypoint& waypoint, const std::vector<Vector6>& grid, SampleCounts& counts) {
+    positions_.clear();
+    costs_.clear();
+    return sample_grid(waypoint, SampleGrid(waypoint.tolerance, grid, input_.cost), counts);
+  }
+
+ private:
+  Rung sample_grid(const Waypoint& waypoint, const SampleGrid& grid, SampleCounts& counts) {
+    counts.samples += grid.samples().size();
+    for (const SampleGrid::Sample& sample : grid.samples()) {
+      const std::optional<Pose> tcp = grid.pose(sample, waypoint.frame);
+      if (tcp) add_sample(*tcp, sample.cost, counts);
     }
     return make_rung();
   }
 
- private:
-  void add_joint_waypoint(const JointVector& q, SampleCounts& counts) {
-    for (int j = 0; j < robot_.joint_count(); ++j) {
-      const Joint& joint = robot_.joints()[static_cast<std::size_t>(j)];
+  /// Copies by whole turns count where they are inside the ranges.
+  Rung joint_rung(const JointBox& box, SampleCounts& counts) {
+    for (const JointVector& q : joint_grid(box, input_.options.joint_step)) {
+      ++counts.samples;
+      add_joint_sample(q, counts);
+    }
+    Rung rung = make_rung();
+    rung.lower = box.lower.cwiseMax(input_.robot.lower_limits());
+    rung.upper = box.upper.cwiseMin(input_.robot.upper_limits());
+    return rung;
+  }
+
+  void add_joint_sample(const JointVector& q, SampleCounts& counts) {
+    for (int j = 0; j < input_.robot.joint_count(); ++j) {
+      const Joint& joint = input_.robot.joints()[static_cast<std::size_t>(j)];
       if (q[j] < joint.lower || q[j] > joint.upper) {
         ++counts.joint_limit[j];
         return;
       }
     }
-    if (!is_clear(q, counts)) return;
-    copies_ = {q};
-    add_copies(0);
+    if (is_clear(q, counts)) add(wrapped(q), 0);
   }
 
-  void add_pose_sample(const Waypoint& waypoint, const Vector6& e, SampleCounts& counts) {
-    const Pose tcp = pose_at_deviation(waypoint.tolerance, waypoint.frame, e);
-    if (!is_measured_as(waypoint, e, tcp)) return;
-    ik_.solve(tcp, branches_);
+  void add_sample(const Pose& tcp, double cost, SampleCounts& counts) {
+    input_.ik.solve(tcp, branches_);
     if (branches_.empty()) ++counts.out_of_reach;
-    const double cost =
-        cost_.euler_graph * (cost_.euler_eta * std::abs(e[3]) + std::abs(e[4]));  // eq. 9
-    for (const JointVector& branch : branches_) {
-      int limiting_joint = -1;
-      copies_.clear();
-      if (append_turns(robot_, branch, options_.turns, copies_, &limiting_joint) == 0) {
-        ++counts.joint_limit[limiting_joint];
+    for (JointVector& branch : branches_) {
+      const int limiting = move_into_limits(branch);
+      if (limiting >= 0) {
+        ++counts.joint_limit[limiting];
+      } else if (is_clear(branch, counts)) {
+        add(branch, cost);
+      }
+    }
+  }
+
+  /// A joint with copies goes to [-pi, pi], others to their place inside the limits.
+  /// @return the first joint without one, or -1
+  int move_into_limits(JointVector& q) const {
+    for (Eigen::Index j = 0; j < q.size(); ++j) {
+      if (period_[j] == kTurn) {
+        if (std::abs(q[j]) > kTurn / 2) q[j] = wrap_angle(q[j]);
         continue;
       }
-      if (!is_clear(copies_.front(), counts)) continue;  // turns do not move the robot's bodies
-      add_copies(cost);
+      const Joint& joint = input_.robot.joints()[static_cast<std::size_t>(j)];
+      const auto inside = [&joint](double value) {
+        return value >= joint.lower - kLimitTolerance && value <= joint.upper + kLimitTolerance;
+      };
+      if (inside(q[j])) continue;
+      if (joint.type == JointType::prismatic) return static_cast<int>(j);
+      const double turns = input_.options.turns == Turns::all
+                               ? std::ceil((joint.lower - kLimitTolerance - q[j]) / kTurn)
+                               : std::round((wrap_angle(q[j]) - q[j]) / kTurn);
+      q[j] += turns * kTurn;
+      if (!inside(q[j])) return static_cast<int>(j);
     }
+    return -1;
   }
 
-  /// In the base frame the middle angle may leave +-90 deg; the pose then has other angles.
-  static bool is_measured_as(const Waypoint& waypoint, const Vector6& e, const Pose& tcp) {
-    if (waypoint.tolerance.frame == ToleranceFrame::path) return true;
-    const Vector6 measured = deviation(waypoint.tolerance, waypoint.frame, tcp);
-    for (int k = 3; k < 6; ++k) {
-      if (std::abs(wrap_angle(measured[k] - e[k])) > 1e-9) return false;
+  JointVector wrapped(JointVector q) const {
+    for (Eigen::Index j = 0; j < q.size(); ++j) {
+      if (period_[j] == kTurn) q[j] = wrap_angle(q[j]);
     }
-    return true;
+    return q;
   }
 
   bool is_clear(const JointVector& q, SampleCounts& counts) {
-    checker_.set_posture(q);
-    const auto hit = checker_.first_below(checker_.model().clearance());
-    if (hit) ++counts.collision[checker_.model().names(hit->pair)];
+    if (!checker_) return true;
+    checker_->set_posture(q);
+    const auto hit = checker_->first_below(checker_->model().clearance());
+    if (hit) ++counts.collision[checker_->model().names(hit->pair)];
     return !hit;
   }
 
-  void add_copies(double cost) {
-    const auto first = static_cast<Eigen::Index>(postures_.size());
-    for (const JointVector& q : copies_) add(q, cost, first);
-  }
-
-  void add(const JointVector& q, double cost, Eigen::Index first_copy) {
-    postures_.push_back(q);
-    costs_.push_back(cost);
-    first_copies_.push_back(first_copy);
-    turn_codes_.push_back(turn_code(postures_[static_cast<std::size_t>(first_copy)], q));
-  }
-
-  /// The turns from one posture to another, a digit of base 64 for each joint.
-  static std::int64_t turn_code(const JointVector& from, const JointVector& to) {
-    constexpr double kTurn = 6.283185307179586;
-    std::int64_t code = 0;
-    for (Eigen::Index j = 0; j < from.size(); ++j) {
-      code = 64 * code + static_cast<std::int64_t>(std::lround((to[j] - from[j]) / kTurn));
-    }
-    return code;
+  void add(const JointVector& q, double cost) {
+    positions_.insert(positions_.end(), q.data(), q.data() + q.size());
+    const double weight = input_.cost.singularity_graph;
+    costs_.push_back(weight > 0 ? cost + weight * (1 - singularity_(q)) : cost);
   }
 
   Rung make_rung() const {
+    using Rows = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const auto count = static_cast<Eigen::Index>(costs_.size());
     Rung rung;
-    const auto count = static_cast<Eigen::Index>(postures_.size());
-    rung.positions.resize(count, robot_.joint_count());
-    for (Eigen::Index i = 0; i < count; ++i) {
-      rung.positions.row(i) = postures_[static_cast<std::size_t>(i)].transpose().array();
-    }
+    rung.positions =
+        Eigen::Map<const Rows>(positions_.data(), count, input_.robot.joint_count());
     rung.cost = Eigen::Map<const Eigen::ArrayXd>(costs_.data(), count);
-    rung.first_copy = first_copies_;
-    rung.turn_code = turn_codes_;
     return rung;
   }
 
-  const Robot& robot_;
-  const InverseKinematics& ik_;
-  ClearanceChecker checker_;
-  const CostOptions& cost_;
-  const GraphOptions& options_;
-  std::vector<JointVector> branches_, copies_, postures_;
-  std::vector<double> costs_;
-  std::vector<Eigen::Index> first_copies_;
-  std::vector<std::int64_t> turn_codes_;
+  const SamplingInput& input_;
+  JointVector period_;
+  SingularityDistance singularity_;
+  std::optional<ClearanceChecker> checker_;
+  std::optional<SampleGrid> grid_;  ///< of the last waypoint
+  std::vector<JointVector> branches_;
+  std::vector<double> positions_, costs_;
 };
 
 }  // namespace
 
-SampledPath sample_path(const Robot& robot, const Task& task, const InverseKinematics& ik,
-                        const std::shared_ptr<const ClearanceModel>& clearance,
-                        const CostOptions& cost, const GraphOptions& options, int threads,
+JointVector turn_periods(const Robot& robot, Turns turns) {
+  JointVector period = JointVector::Constant(robot.joint_count(),
+                                             std::numeric_limits<double>::infinity());
+  if (turns == Turns::principal) return period;
+  for (int j = 0; j < robot.joint_count(); ++j) {
+    const Joint& joint = robot.joints()[static_cast<std::size_t>(j)];
+    const bool turns_round = joint.upper - joint.lower >= kTurn - kLimitTolerance;
+    if (joint.type != JointType::prismatic && turns_round) period[j] = kTurn;
+  }
+  return period;
+}
+
+double posture_cost(const SamplingInput& input, const Waypoint& waypoint, const JointVector& q) {
+  const CostOptions& cost = input.cost;
+  double sum = 0;
+  if (!waypoint.joints && cost.euler_graph > 0) {
+    const Pose tcp = tcp_pose(input.robot, q);
+    sum += euler_cost(cost, deviation(waypoint.tolerance, waypoint.frame, tcp));
+  }
+  if (cost.singularity_graph > 0) {
+    const SingularityDistance distance(input.robot, cost.singularity_measure);
+    sum += cost.singularity_graph * (1 - distance(q));
+  }
+  return sum;
+}
+
+SampledPath sample_path(const SamplingInput& input, const Task& task, int threads,
                         const Monitor& monitor) {
   const std::size_t count = task.waypoints.size();
   SampledPath result;
   result.rungs.resize(count);
   result.counts.resize(count);
+  const bool eager = input.options.collision_checks == CollisionChecks::eager;
   std::vector<WaypointSampler> samplers;
   samplers.reserve(static_cast<std::size_t>(threads));
-  for (int i = 0; i < threads; ++i) samplers.emplace_back(robot, ik, clearance, cost, options);
+  for (int i = 0; i < threads; ++i) samplers.emplace_back(input, eager);
   parallel_for(count, threads, [&](int worker, std::size_t i) {
     throw_if_cancelled(monitor);
     result.rungs[i] =
@@ -157,7 +247,27 @@ SampledPath sample_path(const Robot& robot, const Task& task, const InverseKinem
     }
   });
   for (const WaypointSampler& sampler : samplers) result.collision_checks += sampler.queries();
+  for (const Rung& rung : result.rungs) result.postures += static_cast<std::size_t>(rung.size());
   return result;
+}
+
+Rung sample_waypoint(const SamplingInput& input, const Waypoint& waypoint, SampleCounts& counts) {
+  return WaypointSampler(input, true).sample(waypoint, counts);
+}
+
+std::vector<Rung> sample_grids(const SamplingInput& input, const Task& task,
+                               const std::vector<std::vector<Vector6>>& grids, int threads) {
+  std::vector<Rung> rungs(task.waypoints.size());
+  std::vector<WaypointSampler> samplers;
+  samplers.reserve(static_cast<std::size_t>(threads));
+  for (int i = 0; i < threads; ++i) samplers.emplace_back(input, false);
+  parallel_for(rungs.size(), threads, [&](int worker, std::size_t i) {
+    WaypointSampler& sampler = samplers[static_cast<std::size_t>(worker)];
+    SampleCounts counts;
+    rungs[i] = task.waypoints[i].joints ? sampler.sample(task.waypoints[i], counts)
+                                        : sampler.sample(task.waypoints[i], grids[i], counts);
+  });
+  return rungs;
 }
 
 }  // namespace wristwise

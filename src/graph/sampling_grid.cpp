@@ -99,6 +99,34 @@ std::vector<double> coordinate_samples(double lower, double upper, double step) 
   return samples;
 }
 
+Vector6 automatic_step(const ToleranceBox& box, int samples) {
+  constexpr double kFiner = 0.9;
+  constexpr double kFinest = 1e-4;  // rad
+  constexpr double kLever = 1;      // m
+  const auto steps = [&](double angle) {
+    Vector6 step = Vector6::Constant(angle);
+    step.head<3>() *= kLever;
+    return step;
+  };
+  const auto count = [&](const Vector6& step) {
+    double product = 1;
+    for (int k = 0; k < 6; ++k) {
+      product *= static_cast<double>(
+          coordinate_samples(box.lower[k], box.upper[k], step[k]).size());
+    }
+    return product;
+  };
+  double angle = kPi;
+  while (angle * kFiner > kFinest && count(steps(angle * kFiner)) <= samples) angle *= kFiner;
+  return steps(angle);
+}
+
+std::vector<Vector6> waypoint_grid(const ToleranceBox& box, const GraphOptions& options) {
+  return sampling_grid(box, options.automatic_samples > 0
+                                ? automatic_step(box, options.automatic_samples)
+                                : options.step);
+}
+
 std::vector<Vector6> sampling_grid(const ToleranceBox& box, const Vector6& step) {
   std::vector<Vector6> grid = {Vector6::Zero()};
   for (int k = 0; k < 6; ++k) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "wristwise/joint_box.hpp"
+#include "wristwise/options.hpp"
 #include "wristwise/tolerance.hpp"
 
 namespace wristwise {
@@ -12,6 +13,13 @@ namespace wristwise {
 /// not on the grid. Free (infinite bounds): n = ceil(2 pi / s) samples -pi + k 2 pi / n.
 /// @param step > 0, or 0 for the default of GraphOptions::step
 std::vector<double> coordinate_samples(double lower, double upper, double step);
+
+/// Steps with which a waypoint has about `samples` samples: one step for all rotations, and for
+/// positions what turns the joints by about as much at a distance of 1 m.
+Vector6 automatic_step(const ToleranceBox& box, int samples);
+
+/// The grid that the options ask for.
+std::vector<Vector6> waypoint_grid(const ToleranceBox& box, const GraphOptions& options);
 
 /// The product of the samples of all coordinates, the last coordinate running fastest.
 std::vector<Vector6> sampling_grid(const ToleranceBox& box, const Vector6& step);

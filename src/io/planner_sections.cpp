@@ -22,6 +22,25 @@ std::vector<double> read_joint_weights(const ConfigReader& reader, const Robot& 
   return weights;
 }
 
+void read_singularity(const ConfigReader& reader, CostOptions& cost) {
+  reader.expect_keys({"graph", "measure"});
+  read_weight(reader, "graph", cost.singularity_graph);
+  if (const auto measure = reader.find("measure")) {
+    cost.singularity_measure = measure->choice({"wrist", "manipulability"}) == "wrist"
+                                   ? SingularityMeasure::wrist
+                                   : SingularityMeasure::manipulability;
+  }
+}
+
+/// A limit that may be `off`.
+void read_limit(const ConfigReader& reader, const std::string& key, Quantity quantity,
+                double& limit) {
+  const auto value = reader.find(key);
+  if (!value) return;
+  limit =
+      value->is_word("off") ? std::numeric_limits<double>::infinity() : value->positive(quantity);
+}
+
 /// One step for all joints, or a list.
 std::vector<double> read_joint_steps(const ConfigReader& reader, const Robot& robot) {
   const auto count = static_cast<std::size_t>(robot.joint_count());
@@ -48,7 +67,8 @@ void read_samples(const ConfigReader& reader, const Robot& robot, GraphOptions& 
 }  // namespace
 
 CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
-  reader.expect_keys({"joint_motion", "acceleration", "jerk", "euler", "joint_weights"});
+  reader.expect_keys(
+      {"joint_motion", "acceleration", "jerk", "euler", "joint_weights", "steps", "singularity"});
   CostOptions cost;
   read_weight(reader, "joint_motion", cost.joint_motion);
   read_weight(reader, "acceleration", cost.acceleration);
@@ -59,22 +79,42 @@ CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
     read_weight(*euler, "refine", cost.euler_refine);
     read_weight(*euler, "eta", cost.euler_eta);
   }
+  if (const auto steps = reader.find("steps"))
+    cost.squared_steps = steps->choice({"absolute", "squared"}) == "squared";
+  if (const auto singularity = reader.find("singularity")) read_singularity(*singularity, cost);
   if (const auto weights = reader.find("joint_weights"))
     cost.joint_weights = read_joint_weights(*weights, robot);
   return cost;
 }
 
 GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
-  reader.expect_keys({"samples", "turns", "max_stray", "planner"});
+  reader.expect_keys({"samples", "automatic_samples", "coarse_to_fine", "turns", "max_stray",
+                      "max_tcp_step", "max_tcp_turn", "collision_checks", "planner",
+                      "sparse_deviation", "seeds", "seed_separation"});
   GraphOptions graph;
   if (const auto samples = reader.find("samples")) read_samples(*samples, robot, graph);
   if (const auto turns = reader.find("turns"))
     graph.turns = turns->choice({"all", "principal"}) == "all" ? Turns::all : Turns::principal;
-  if (const auto stray = reader.find("max_stray")) {
-    graph.max_stray = stray->is_word("off") ? std::numeric_limits<double>::infinity()
-                                            : stray->positive(Quantity::length);
+  if (const auto samples = reader.find("automatic_samples")) {
+    if (reader.find("samples")) samples->fail("samples are given too", "one of the two");
+    graph.automatic_samples = samples->whole_number(1);
   }
-  if (const auto planner = reader.find("planner")) planner->choice({"dense"});
+  if (const auto finer = reader.find("coarse_to_fine"))
+    graph.coarse_to_fine = finer->choice({"true", "false"}) == "true";
+  read_limit(reader, "max_stray", Quantity::length, graph.max_stray);
+  read_limit(reader, "max_tcp_step", Quantity::length, graph.max_tcp_step);
+  read_limit(reader, "max_tcp_turn", Quantity::angle, graph.max_tcp_turn);
+  if (const auto checks = reader.find("collision_checks"))
+    graph.collision_checks = checks->choice({"lazy", "eager"}) == "lazy" ? CollisionChecks::lazy
+                                                                         : CollisionChecks::eager;
+  if (const auto planner = reader.find("planner"))
+    graph.planner =
+        planner->choice({"dense", "sparse"}) == "dense" ? Planner::dense : Planner::sparse;
+  if (const auto deviation = reader.find("sparse_deviation"))
+    graph.sparse_deviation = deviation->positive(Quantity::angle);
+  if (const auto seeds = reader.find("seeds")) graph.seeds = seeds->whole_number(1);
+  if (const auto separation = reader.find("seed_separation"))
+    graph.seed_separation = separation->positive(Quantity::angle);
   return graph;
 }
 

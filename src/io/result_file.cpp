@@ -57,14 +57,35 @@ Json timing(const Timing& timing) {
           {"verify", number(timing.verify)}, {"total", number(timing.total)}};
 }
 
-Json graph(const GraphStatistics& graph) {
+Json seeds(const PlanResult& result) {
+  Json json = Json::array();
+  for (const Seed& seed : result.seeds) {
+    json.push_back({{"cost", number(seed.cost)}, {"differs_at", seed.differs_at}});
+  }
+  return json;
+}
+
+Json graph(const PlanResult& result) {
+  const GraphStatistics& graph = result.graph;
   return {{"vertices", graph.vertices},
           {"edges", count(graph.edges)},
           {"edges_evaluated", count(graph.edges_evaluated)},
           {"collision_checks", graph.collision_checks},
           {"cost", number(graph.cost)},
           {"joint_motion_l1", number(graph.joint_motion_l1)},
-          {"edges_checked", graph.edges_checked}};
+          {"edges_checked", graph.edges_checked},
+          {"edges_checked_if_eager", count(graph.edges_if_eager)},
+          {"postures", graph.postures},
+          {"postures_checked", graph.postures_checked},
+          {"postures_checked_if_eager", graph.postures},
+          {"first_turns", graph.first_turns},
+          {"last_turns", graph.last_turns},
+          {"grid_rounds", graph.grid_rounds},
+          {"first_cost", number(graph.first_cost)},
+          {"sparse_points", graph.sparse_points},
+          {"replans", graph.replans},
+          {"pieces", graph.pieces},
+          {"seeds", seeds(result)}};
 }
 
 Json refine(const RefineStatistics& refine) {
@@ -137,13 +158,26 @@ Json speed_held(const Verification& verification, const Problem& problem) {
           {"worst_joint", joint_name(problem, verification.velocity_joint)}};
 }
 
+Json counts(const FailureCounts& counts) {
+  Json collision = Json::array();
+  for (const auto& [pair, count] : counts.collision) {
+    collision.push_back({{"pair", names(pair)}, {"postures", count}});
+  }
+  return {{"samples", counts.samples},   {"out_of_reach", counts.out_of_reach},
+          {"joint_limit", counts.joint_limit}, {"collision", std::move(collision)},
+          {"usable", counts.usable},     {"too_fast", counts.too_fast},
+          {"too_far", counts.too_far},   {"astray", counts.astray},
+          {"blocked", counts.blocked}};
+}
+
 Json diagnosis(const std::vector<Diagnosis>& diagnosis) {
   Json json = Json::array();
   for (const Diagnosis& entry : diagnosis)
     json.push_back({{"waypoint", entry.waypoint ? Json(*entry.waypoint) : Json(nullptr)},
                     {"reason", entry.reason},
                     {"detail", entry.detail},
-                    {"suggestion", entry.suggestion}});
+                    {"suggestion", entry.suggestion},
+                    {"counts", entry.counts ? counts(*entry.counts) : Json(nullptr)}});
   return json;
 }
 
@@ -201,7 +235,7 @@ std::string result_json(const PlanResult& result, const Problem& problem) {
                   {"joints", joint_names(problem)},
                   {"timing_s", timing(result.timing)},
                   {"peak_rss_bytes", peak_rss_bytes()},
-                  {"graph", graph(result.graph)},
+                  {"graph", graph(result)},
                   {"refine", refine(result.refine)},
                   {"peaks", peaks(result.path, problem)},
                   {"verification", verification_object(result.verification, problem)},

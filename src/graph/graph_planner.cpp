@@ -1,0 +1,214 @@
+#include "graph/graph_planner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "graph/diagnosis.hpp"
+#include "graph/grid_refinement.hpp"
+#include "graph/reachable_pieces.hpp"
+#include "graph/smallest_relaxation.hpp"
+#include "graph/sparse_planner.hpp"
+#include "stopwatch.hpp"
+
+namespace wristwise {
+
+namespace {
+
+constexpr double kTurn = 6.28318530717958647692;
+
+class GraphPlanner {
+ public:
+  GraphPlanner(const SamplingInput& input, const Task& task, double epsilon, int threads,
+               const Monitor& monitor, Timing& timing)
+      : input_(input),
+        task_(task),
+        epsilon_(epsilon),
+        threads_(threads),
+        monitor_(monitor),
+        timing_(timing) {}
+
+  GraphPlan run() {
+    if (input_.options.planner == Planner::sparse) {
+      run_sparse();
+    } else {
+      run_dense();
+    }
+    if (!plan_.found && plan_.diagnosis && plan_.diagnosis->waypoint) look_for_help();
+    return std::move(plan_);
+  }
+
+ private:
+  void run_dense() {
+    SampledPath sampled = sample();
+    plan_.diagnosis = diagnose_samples(input_.robot, task_, sampled);
+    const std::vector<Rung> rungs = rungs_to_search(sampled);
+    if (rungs.empty()) return;
+    GraphSearch search(input_, task_, epsilon_, threads_, monitor_);
+    find_paths(search, rungs);
+    plan_.statistics.collision_checks += search.moves().queries();
+  }
+
+  SampledPath sample() {
+    const Stopwatch watch(timing_.sampling);
+    SampledPath sampled = sample_path(input_, task_, threads_, monitor_);
+    plan_.statistics.postures = sampled.postures;
+    plan_.statistics.collision_checks = sampled.collision_checks;
+    double previous = 0;
+    for (const Rung& rung : sampled.rungs) {
+      plan_.statistics.edges_if_eager += previous * static_cast<double>(rung.size());
+      previous = static_cast<double>(rung.size());
+    }
+    return sampled;
+  }
+
+  /// Those before the first rung without a vertex.
+  static std::vector<Rung> rungs_to_search(SampledPath& sampled) {
+    const auto empty = std::find_if(sampled.rungs.begin(), sampled.rungs.end(),
+                                    [](const Rung& rung) { return rung.size() == 0; });
+    return {std::make_move_iterator(sampled.rungs.begin()), std::make_move_iterator(empty)};
+  }
+
+  void find_paths(GraphSearch& search, const std::vector<Rung>& rungs) {
+    const Stopwatch watch(timing_.search);
+    KnownChecks known(rungs, search.rules());
+    LadderPath best = search.find_path(rungs, known);
+    const bool complete = best.found && rungs.size() == task_.waypoints.size();
+    plan_.found = complete;
+    plan_.statistics.first_cost = best.cost;
+    if (best.found && !complete) return record(best);
+    if (!best.found) {
+      plan_.diagnosis = diagnose_search(input_, task_, search, best, epsilon_);
+      return record(best);
+    }
+    std::vector<DistinctPath> paths = {{std::move(best), 0}};
+    if (input_.options.seeds > 1) {
+      const LadderPath first = paths.front().path;
+      paths = find_distinct_paths(search, rungs, first, known,
+                                  static_cast<std::size_t>(input_.options.seeds),
+                                  input_.options.seed_separation);
+    }
+    for (DistinctPath& path : paths) {
+      if (input_.options.coarse_to_fine) refine(search, path);
+      if (plan_.seeds.empty()) record(path.path);
+      else plan_.seeds.push_back(seed(path.path, path.differs_at));
+    }
+    std::stable_sort(plan_.seeds.begin(), plan_.seeds.end(),
+                     [](const Seed& a, const Seed& b) { return a.cost < b.cost; });
+  }
+
+  /// Where there is no path: what would help, and which pieces can be welded.
+  void look_for_help() {
+    const Stopwatch watch(timing_.search);
+    const auto& counts = plan_.diagnosis->counts;
+    const std::string help =
+        smallest_relaxation(input_, task_, *plan_.diagnosis->waypoint,
+                            counts && counts->too_fast > 0, epsilon_, monitor_);
+    if (!help.empty()) plan_.diagnosis->suggestion = help;
+    const std::size_t reached = plan_.seeds.empty() ? 0 : plan_.seeds.front().path.size();
+    plan_.statistics.pieces =
+        reachable_pieces(input_, task_, reached, epsilon_, threads_, monitor_);
+    plan_.diagnosis->detail += describe(plan_.statistics.pieces);
+  }
+
+  static std::string describe(const std::vector<std::pair<std::size_t, std::size_t>>& pieces) {
+    std::string text;
+    for (const auto& [first, last] : pieces) {
+      text += fmt::format("{}{} to {}", text.empty() ? "; waypoints that can be welded: " : ", ",
+                          first, last);
+    }
+    return text;
+  }
+
+  void refine(GraphSearch& search, DistinctPath& path) {
+    FinerPath finer = refine_grid(search, input_, task_, std::move(path.path), threads_);
+    path.path = std::move(finer.path);
+    if (plan_.seeds.empty()) plan_.statistics.grid_rounds = finer.rounds;
+  }
+
+  void run_sparse() {
+    SparsePath sparse;
+    {
+      const Stopwatch watch(timing_.search);
+      sparse = plan_sparse(input_, task_, epsilon_, threads_, monitor_);
+    }
+    plan_.found = sparse.path.found;
+    plan_.statistics.sparse_points = sparse.points.size();
+    plan_.statistics.replans = sparse.replans;
+    plan_.statistics.postures = sparse.postures;
+    record(sparse.path);
+    if (!plan_.found) explain_sparse();
+  }
+
+  /// What is wrong is said of the dense plan: the sparse one cannot do better.
+  void explain_sparse() {
+    GraphOptions options = input_.options;
+    options.planner = Planner::dense;
+    const SamplingInput dense{input_.robot, input_.ik, input_.clearance, input_.cost, options};
+    const GraphPlan plan =
+        GraphPlanner(dense, task_, epsilon_, threads_, monitor_, timing_).run();
+    plan_.diagnosis = plan.diagnosis;
+    if (plan_.diagnosis || !plan.found) return;
+    plan_.diagnosis = Diagnosis{std::nullopt, "no_edge", "the sparse planner found no path",
+                                "use planner: dense, which finds one"};
+  }
+
+  Seed seed(const LadderPath& path, std::size_t differs_at) const {
+    Seed seed;
+    seed.cost = path.cost;
+    seed.differs_at = differs_at;
+    for (std::size_t i = 0; i < path.positions.size(); ++i) {
+      seed.path.times.push_back(task_.waypoints[i].time);
+      seed.path.positions.push_back(path.positions[i]);
+    }
+    return seed;
+  }
+
+  void record(const LadderPath& path) {
+    GraphStatistics& statistics = plan_.statistics;
+    statistics.vertices = path.statistics.vertices;
+    statistics.edges = path.statistics.edges;
+    statistics.edges_evaluated = path.statistics.edges_evaluated;
+    statistics.postures_checked = path.statistics.usable_checks;
+    statistics.edges_checked = path.statistics.clear_checks;
+    statistics.cost = path.cost;
+    for (std::size_t i = 1; i < path.positions.size(); ++i) {
+      statistics.joint_motion_l1 += (path.positions[i] - path.positions[i - 1]).lpNorm<1>();
+    }
+    if (!path.positions.empty()) {
+      statistics.first_turns = turns(path.positions.front());
+      statistics.last_turns = turns(path.positions.back());
+    }
+    plan_.seeds.push_back(seed(path, 0));
+  }
+
+  std::vector<int> turns(const JointVector& q) const {
+    std::vector<int> result;
+    for (int j = 0; j < input_.robot.joint_count(); ++j) {
+      const bool turns = input_.robot.joints()[static_cast<std::size_t>(j)].type !=
+                         JointType::prismatic;
+      const double whole = turns ? std::round((q[j] - wrap_angle(q[j])) / kTurn) : 0;
+      result.push_back(static_cast<int>(whole));
+    }
+    return result;
+  }
+
+  const SamplingInput& input_;
+  const Task& task_;
+  const double epsilon_;
+  const int threads_;
+  const Monitor& monitor_;
+  Timing& timing_;
+  GraphPlan plan_;
+};
+
+}  // namespace
+
+GraphPlan plan_graph(const SamplingInput& input, const Task& task, double epsilon, int threads,
+                     const Monitor& monitor, Timing& timing) {
+  return GraphPlanner(input, task, epsilon, threads, monitor, timing).run();
+}
+
+}  // namespace wristwise

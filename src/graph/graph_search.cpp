@@ -1,0 +1,70 @@
+#include "graph/graph_search.hpp"
+
+namespace wristwise {
+
+GraphSearch::GraphSearch(const SamplingInput& input, const Task& task, double epsilon, int threads,
+                         const Monitor& monitor, Moves moves)
+    : moves_(task, input.clearance,
+             {input.options.max_stray, input.options.max_tcp_step, input.options.max_tcp_turn},
+             epsilon, threads),
+      threads_(threads),
+      monitor_(monitor) {
+  set_costs(input.cost, input.robot.joint_count());
+  set_filters(input, task, moves);
+}
+
+void GraphSearch::set_costs(const CostOptions& cost, int joints) {
+  rules_.weight = JointVector::Constant(joints, cost.joint_motion);
+  for (std::size_t j = 0; j < cost.joint_weights.size(); ++j) {
+    rules_.weight[static_cast<Eigen::Index>(j)] *= cost.joint_weights[j];
+  }
+  rules_.squared = cost.squared_steps;
+  rules_.vertex_cost = cost.vertex_cost;
+  rules_.edge_cost = cost.edge_cost;
+}
+
+void GraphSearch::set_filters(const SamplingInput& input, const Task& task, Moves moves) {
+  rules_.period = turn_periods(input.robot, input.options.turns);
+  rules_.lower = input.robot.lower_limits();
+  rules_.upper = input.robot.upper_limits();
+  for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
+    rules_.max_step.push_back((task.waypoints[i + 1].time - task.waypoints[i].time) *
+                              input.robot.velocity_limits());
+  }
+  const bool measured = !input.clearance->pairs().empty();
+  if (input.options.collision_checks == CollisionChecks::lazy && measured) {
+    rules_.is_usable = [this](int worker, std::size_t, const JointVector& q) {
+      return moves_.has_clearance(worker, q);
+    };
+  }
+  if (moves == Moves::unchecked || !(measured || moves_.limits().any())) return;
+  rules_.is_clear = [this](int worker, std::size_t interval, const JointVector& from,
+                           const JointVector& to) {
+    return moves_.is_clear(worker, interval, from, to);
+  };
+}
+
+void GraphSearch::slow_down(double factor) {
+  for (JointVector& step : rules_.max_step) step *= factor;
+}
+
+void GraphSearch::limit_checks(std::size_t& left) {
+  if (!rules_.is_clear) return;
+  rules_.is_clear = [is_clear = rules_.is_clear, &left](int worker, std::size_t interval,
+                                                        const JointVector& from,
+                                                        const JointVector& to) {
+    if (left == 0) throw SearchTooLong{};
+    --left;
+    return is_clear(worker, interval, from, to);
+  };
+}
+
+LadderPath GraphSearch::find_path(const std::vector<Rung>& rungs) {
+  return find_least_cost_path(rungs, rules_, threads_, monitor_);
+}
+
+LadderPath GraphSearch::find_path(const std::vector<Rung>& rungs, KnownChecks& known) {
+  return find_least_cost_path(rungs, rules_, threads_, monitor_, &known);
+}
+
+}  // namespace wristwise

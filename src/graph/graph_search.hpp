@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+
+#include "graph/known_checks.hpp"
+#include "graph/ladder_graph.hpp"
+#include "graph/move_checker.hpp"
+#include "graph/path_sampling.hpp"
+
+namespace wristwise {
+
+struct SearchTooLong {};
+
+/// The search of stage 1 on the rungs of a task: edge costs and filters from the options, postures
+/// and moves checked for clearance.
+class GraphSearch {
+ public:
+  enum class Moves { checked, unchecked };
+
+  /// @param epsilon m, of the swept clearance check
+  /// @param moves unchecked: only the step limit filters moves
+  GraphSearch(const SamplingInput& input, const Task& task, double epsilon, int threads,
+              const Monitor& monitor, Moves moves = Moves::checked);
+
+  /// As if the seam were run slower by this factor, as far as joint speeds are concerned.
+  void slow_down(double factor);
+
+  /// Gives up (SearchTooLong) where checks of moves have used up what is left. With one thread only.
+  void limit_checks(std::size_t& left);
+
+  /// @pre every rung has a vertex; as many as there are waypoints, or fewer
+  LadderPath find_path(const std::vector<Rung>& rungs);
+
+  /// The same for rungs that share their positions with those of `known`.
+  LadderPath find_path(const std::vector<Rung>& rungs, KnownChecks& known);
+
+  const EdgeRules& rules() const { return rules_; }
+  MoveChecker& moves() { return moves_; }
+  const MoveChecker& moves() const { return moves_; }
+
+ private:
+  void set_costs(const CostOptions& cost, int joints);
+  void set_filters(const SamplingInput& input, const Task& task, Moves moves);
+
+  MoveChecker moves_;
+  EdgeRules rules_;
+  int threads_;
+  const Monitor& monitor_;
+};
+
+}  // namespace wristwise
