@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "gantry.hpp"
+#include "graph_planning.hpp"
 #include "invalid_input.hpp"
 
 namespace wristwise {
 namespace {
 
 namespace gantry = test::gantry;
+using gantry::Planning;
 using test::says;
 
 Rung rung_of(const std::vector<JointVector>& postures) {
@@ -61,6 +62,9 @@ TEST(DiagnoseSamples, NamesTheFirstWaypointAndItsReason) {
   EXPECT_EQ(limited->reason, "joint_limit");
   EXPECT_TRUE(says(limited->detail, "that of tilt")) << limited->detail;
   EXPECT_TRUE(says(limited->detail, "12 branches break a joint limit")) << limited->detail;
+  ASSERT_TRUE(limited->counts.has_value());
+  const std::map<std::string, std::size_t> by_name = {{"x", 3}, {"tilt", 9}};
+  EXPECT_EQ(limited->counts->joint_limit, by_name);
 
   counts.collision = {{{"ball", "plate"}, 4}, {{"ball", "post"}, 7}};
   const auto colliding = diagnose_samples(*gantry::robot(), task(), empty_at(0, counts));
@@ -84,60 +88,112 @@ TEST(DiagnoseSamples, OfAJointWaypointSpeaksOfItsRanges) {
   EXPECT_FALSE(says(colliding->suggestion, "tolerance")) << colliding->suggestion;
 }
 
-struct Moves {
-  SampledPath sampled;
-  EdgeRules rules;
-  LadderPath path;
-
-  /// From x = 0 at the second waypoint to the given postures at the third.
-  explicit Moves(const std::vector<JointVector>& next, double max_step) {
-    for (int i = 0; i < 5; ++i) sampled.rungs.push_back(rung_of({gantry::posture(0, 0, 0)}));
-    sampled.rungs[2] = rung_of(next);
-    sampled.counts.resize(5);
-    rules.weight = JointVector::Ones(4);
-    rules.max_step.assign(4, JointVector::Constant(4, max_step));
-    path.vertices = {0, 0};
-  }
-};
-
-Diagnosis diagnose(const Moves& moves, const std::shared_ptr<const ClearanceModel>& clearance,
-                   double max_stray = gantry::kUnlimited) {
-  const MoveChecker checker(task(), clearance, max_stray, 5e-5, 1);
-  return diagnose_moves(task(), moves.sampled, moves.rules, moves.path, checker, clearance, 5e-5);
-}
-
-TEST(DiagnoseMoves, NamesTheJointThatIsTooSlow) {
-  const Moves moves({gantry::posture(0.5, 0.4, 0, 0), gantry::posture(0, 0.3, 0.1, 0)}, 0.2);
-  const Diagnosis diagnosis = diagnose(moves, gantry::clearance(gantry::robot()));
-  EXPECT_EQ(diagnosis.waypoint, 2U);
-  EXPECT_EQ(diagnosis.reason, "no_edge");
-  EXPECT_TRUE(says(diagnosis.detail, "waypoint 2 (2 s)")) << diagnosis.detail;
-  EXPECT_TRUE(says(diagnosis.detail, "from waypoint 1")) << diagnosis.detail;
-  EXPECT_TRUE(says(diagnosis.detail, "1.50 times the speed of y")) << diagnosis.detail;
-}
-
-/// A post between the only vertex and both that follow.
-TEST(DiagnoseMoves, NamesThePairThatBlocksTheNearestMove) {
-  const Moves moves({gantry::posture(1, 0, 0), gantry::posture(1.1, 0, 0)}, gantry::kUnlimited);
-  SceneObject post = gantry::obstacle(Cylinder{0.05, 4}, 0.5, 0, 0);
+/// The ball of radius 0.05 m passes at 0.05 m a step; a post of radius 0.1 m stands on the seam at
+/// x = 0.5, so that the waypoints 8 to 12 (x = 0.4 .. 0.6) collide.
+Planning past_a_post() {
+  Planning planning;
+  SceneObject post = gantry::obstacle(Cylinder{0.1, 4}, 0.5, 0, 0);
   post.name = "post";
-  const Diagnosis diagnosis = diagnose(moves, gantry::clearance(gantry::robot(), {post}, 0.01));
-  EXPECT_EQ(diagnosis.waypoint, 2U);
-  EXPECT_EQ(diagnosis.reason, "collision");
-  EXPECT_TRUE(says(diagnosis.detail, "ball - post")) << diagnosis.detail;
-  EXPECT_TRUE(says(diagnosis.detail, "from waypoint 1")) << diagnosis.detail;
-  EXPECT_FALSE(diagnosis.suggestion.empty());
+  planning.objects = {post};
+  return planning;
 }
 
-/// The seam is at x = 0.4375 at three quarters of the stretch, held to 0.1 m; the moves are at 0.75
-/// and 0.825 then.
-TEST(DiagnoseMoves, SaysHowFarTheTcpStrays) {
-  const Moves moves({gantry::posture(1.1, 0, 0), gantry::posture(1, 0, 0)}, gantry::kUnlimited);
-  const Diagnosis diagnosis = diagnose(moves, gantry::clearance(gantry::robot()), 0.01);
-  EXPECT_EQ(diagnosis.waypoint, 2U);
-  EXPECT_EQ(diagnosis.reason, "no_edge");
-  EXPECT_TRUE(says(diagnosis.detail, "by 212.5 mm")) << diagnosis.detail;
-  EXPECT_TRUE(says(diagnosis.suggestion, "max_stray")) << diagnosis.suggestion;
+TEST(Diagnosis, NamesThePairAndThePiecesThatCanBeWelded) {
+  const GraphPlan plan = past_a_post().plan();
+  EXPECT_FALSE(plan.found);
+  ASSERT_TRUE(plan.diagnosis.has_value());
+  EXPECT_EQ(plan.diagnosis->waypoint, 8U);
+  EXPECT_EQ(plan.diagnosis->reason, "collision");
+  EXPECT_TRUE(says(plan.diagnosis->detail, "ball - post")) << plan.diagnosis->detail;
+  const std::vector<std::pair<std::size_t, std::size_t>> pieces = {{0, 7}, {13, 20}};
+  EXPECT_EQ(plan.statistics.pieces, pieces);
+  EXPECT_TRUE(says(plan.diagnosis->detail, "0 to 7, 13 to 20")) << plan.diagnosis->detail;
+  ASSERT_TRUE(plan.diagnosis->counts.has_value());
+  EXPECT_EQ(plan.diagnosis->counts->samples, 1U);
+  EXPECT_EQ(plan.diagnosis->counts->collision.begin()->second, 1U);
+  EXPECT_EQ(plan.diagnosis->counts->usable, 0U);
+  EXPECT_EQ(plan.seeds.front().path.size(), 8U);
+}
+
+/// More than 0.15 m to the side are needed at x = 0.5; widths are tried in steps of 0.5 mm. z does
+/// not help, as the post is higher than the gantry reaches.
+TEST(Diagnosis, FindsTheSmallestWiderTolerance) {
+  Planning planning = past_a_post();
+  planning.allow(1, 0.13, 0.05);
+  const GraphPlan plan = planning.plan();
+  ASSERT_TRUE(plan.diagnosis.has_value());
+  EXPECT_TRUE(says(plan.diagnosis->suggestion, "y +-150.5 mm instead of +-130 mm")) <<
+      plan.diagnosis->suggestion;
+  EXPECT_TRUE(says(plan.diagnosis->suggestion, "enough for the whole seam"));
+  EXPECT_FALSE(says(plan.diagnosis->suggestion, " z ")) << plan.diagnosis->suggestion;
+  planning.allow(1, 0.1505, 0.05);
+  EXPECT_TRUE(planning.plan().found);
+  planning.allow(1, 0.15, 0.05);
+  EXPECT_FALSE(planning.plan().found);
+}
+
+/// A wall along the seam at 0.06 m from the ball, of which 0.08 m are required.
+TEST(Diagnosis, FindsTheSmallestClearanceToGiveUp) {
+  Planning planning;
+  planning.objects = {gantry::obstacle(Box{{10, 0.1, 10}}, 0, 0.16, 0)};
+  planning.required = 0.08;
+  const GraphPlan plan = planning.plan();
+  ASSERT_TRUE(plan.diagnosis.has_value());
+  EXPECT_EQ(plan.diagnosis->waypoint, 0U);
+  EXPECT_TRUE(says(plan.diagnosis->suggestion, "scene.clearance 56 mm instead of 80 mm"))
+      << plan.diagnosis->suggestion;
+}
+
+/// x moves 0.05 m a second, 0.03 m/s are allowed: 1.67 times the time; the powers of 1.1 are tried,
+/// of which 1.1^6 = 1.77 is the first that is enough.
+TEST(Diagnosis, FindsTheSpeedThatTheJointsCanKeep) {
+  Planning planning;
+  planning.parts.joints[0].max_velocity = 0.03;
+  const GraphPlan plan = planning.plan();
+  ASSERT_TRUE(plan.diagnosis.has_value());
+  EXPECT_EQ(plan.diagnosis->reason, "no_edge");
+  EXPECT_EQ(plan.diagnosis->waypoint, 1U);
+  EXPECT_TRUE(says(plan.diagnosis->detail, "1.67 times the speed of x")) << plan.diagnosis->detail;
+  EXPECT_EQ(plan.diagnosis->counts->usable, 1U);
+  EXPECT_EQ(plan.diagnosis->counts->too_fast, 1U);
+  EXPECT_TRUE(says(plan.diagnosis->suggestion, "1.77 times the time")) << plan.diagnosis->suggestion;
+}
+
+/// y = +-0.3 only, and a wall at y = 0 with a gap of one interval: every move through the gap is
+/// astray, every other one is blocked.
+TEST(Diagnosis, CountsMovesThatStrayAndMovesThatAreBlocked) {
+  Planning planning;
+  planning.allow(1, 0.3, 0.6);
+  planning.options.max_stray = 0.01;
+  planning.objects = {gantry::obstacle(Box{{0.4, 0.4, 4}}, 0.3, 0.3, 0),
+                      gantry::obstacle(Box{{0.4, 0.4, 4}}, 0.8, -0.3, 0),
+                      gantry::obstacle(Box{{0.02, 0.3, 4}}, 0.55, 0, 0)};
+  planning.objects[1].name = "second";
+  planning.objects[2].name = "third";
+  const GraphPlan plan = planning.plan();
+  EXPECT_FALSE(plan.found);
+  ASSERT_TRUE(plan.diagnosis.has_value());
+  ASSERT_TRUE(plan.diagnosis->counts.has_value());
+  const FailureCounts& counts = *plan.diagnosis->counts;
+  EXPECT_GT(counts.usable, 0U);
+  EXPECT_EQ(counts.usable, counts.too_fast + counts.too_far + counts.astray + counts.blocked);
+  EXPECT_GT(counts.blocked, 0U);
+  EXPECT_EQ(plan.statistics.pieces.size(), 2U);
+}
+
+TEST(Diagnosis, SaysHowFarTheTcpStrays) {
+  Planning planning;
+  // The waypoints at half the seam are asked for elsewhere than the seam passes.
+  planning.options.max_stray = 0.01;
+  for (std::size_t i = 10; i < planning.task.waypoints.size(); ++i) {
+    planning.task.waypoints[i].frame.translation().y() = 0.2;
+  }
+  const GraphPlan plan = planning.plan();
+  ASSERT_TRUE(plan.diagnosis.has_value());
+  EXPECT_EQ(plan.diagnosis->reason, "no_edge");
+  EXPECT_EQ(plan.diagnosis->waypoint, 10U);
+  EXPECT_TRUE(says(plan.diagnosis->detail, "by 150.0 mm")) << plan.diagnosis->detail;
+  EXPECT_EQ(plan.diagnosis->counts->astray, 1U);
 }
 
 }  // namespace

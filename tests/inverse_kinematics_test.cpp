@@ -264,6 +264,89 @@ TEST(SphericalWristIk, KeepsTheOrderOfBranchesAlongAPath) {
   }
 }
 
+/// A posture with some joints on a multiple of 90 deg, or next to one: where angles are zero, at
+/// the ends of their range, and directions fall on an axis.
+JointVector awkward_posture(Dice& dice) {
+  JointVector q = dice.posture();
+  for (double& angle : q) {
+    const double kind = dice.uniform(0, 1);
+    if (kind > 0.6) continue;
+    angle = std::floor(dice.uniform(-1, 3)) * kPi / 2;
+    if (kind < 0.2) angle += dice.sign() * std::pow(10, dice.uniform(-17, -3));
+  }
+  return q;
+}
+
+TEST(SphericalWristIk, ReproducesPosturesOnMultiplesOfARightAngle) {
+  Dice dice(10);
+  std::vector<JointVector> branches;
+  for (int arm = 0; arm < 60; ++arm) {
+    const auto robot =
+        arm == 0 ? test::kr5::load()
+                 : std::make_shared<const Robot>(random_arm(dice, {arm % 2 == 0, arm % 4 < 2}));
+    const auto solver = solver_of(robot);
+    for (int trial = 0; trial < 300; ++trial) {
+      const JointVector q = awkward_posture(dice);
+      const Pose tcp = tcp_pose(*robot, q);
+      solver->solve(tcp, branches);
+      EXPECT_FALSE(branches.empty()) << q.transpose();
+      for (const JointVector& branch : branches) {
+        EXPECT_LT(pose_error(tcp_pose(*robot, branch), tcp), kPoseTolerance) << q.transpose();
+        EXPECT_GT(branch.minCoeff(), -kPi);
+        EXPECT_LE(branch.maxCoeff(), kPi);
+      }
+      if (arm == 0 && std::abs(std::sin(q[4])) > 1e-3) {
+        EXPECT_TRUE(contains(branches, q, 1e-6)) << "arm " << arm << ": " << q.transpose();
+      }
+    }
+  }
+}
+
+TEST(SphericalWristIk, SolvesAWristNextToRightAnglesLikeOneWithRightAngles) {
+  Dice dice(11);
+  std::vector<JointVector> branches;
+  for (int arm = 0; arm < 60; ++arm) {
+    const Robot right_angled = random_arm(dice, {true, true});
+    Robot::Parts parts;
+    parts.name = "next to right angles";
+    parts.joints = right_angled.joints();
+    parts.tcp = right_angled.tcp();
+    const double off = std::pow(10, dice.uniform(-16, -10));
+    parts.joints[4].axis = (parts.joints[4].axis + off * dice.rotation().col(0)).normalized();
+    const auto robot = std::make_shared<const Robot>(parts);
+    const auto solver = solver_of(robot);
+    for (int trial = 0; trial < 50; ++trial) {
+      const JointVector q = dice.posture();
+      const Pose tcp = tcp_pose(*robot, q);
+      solver->solve(tcp, branches);
+      expect_valid(*robot, tcp, branches);
+      if (std::abs(std::sin(q[4])) < 0.01) continue;
+      EXPECT_TRUE(contains(branches, q, 1e-6)) << "off by " << off << ": " << q.transpose();
+      EXPECT_EQ(branches.size() % 2, 0u);
+    }
+  }
+}
+
+TEST(SphericalWristIk, GivesTheTwoWristsOfAnArmOneAfterTheOther) {
+  const auto robot = test::kr5::load();
+  const auto solver = solver_of(robot);
+  Dice dice(12);
+  std::vector<JointVector> branches;
+  for (int trial = 0; trial < 500; ++trial) {
+    solver->solve(tcp_pose(*robot, dice.posture()), branches);
+    ASSERT_EQ(branches.size() % 2, 0u);
+    for (std::size_t i = 0; i < branches.size(); i += 2) {
+      EXPECT_EQ(branches[i].head<3>(), branches[i + 1].head<3>());
+      EXPECT_GT(branches[i][4], 0);
+      JointVector flipped = branches[i];
+      flipped[3] += kPi;
+      flipped[4] *= -1;
+      flipped[5] += kPi;
+      EXPECT_LT(angle_distance(flipped, branches[i + 1]), 1e-13);
+    }
+  }
+}
+
 /// The KUKA with errors in every joint origin, as a calibration finds them.
 Robot miscalibrated(Dice& dice, double size) {
   const auto ideal = test::kr5::load();

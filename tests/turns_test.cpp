@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "random_arm.hpp"
 #include "wristwise/inverse_kinematics.hpp"
@@ -97,6 +99,46 @@ TEST(AppendTurns, KeepsAValueOnTheLimit) {
   EXPECT_EQ(count(limit + 1e-13), 2);
   EXPECT_EQ(count(limit + 1e-11), 1);
   EXPECT_EQ(count(-limit - 1e-13), 2);
+}
+
+TEST(AppendTurns, GivesEveryCopyOfTwoJointsTheSecondFastest) {
+  Dice dice(10);
+  for (int trial = 0; trial < 3000; ++trial) {
+    const double widest = trial % 3 == 0 ? 4 : trial % 3 == 1 ? 8 : 40;  // rad
+    Robot::Parts parts;
+    parts.name = "two joints";
+    for (int j = 0; j < 2; ++j) {
+      Joint joint;
+      joint.name = "j" + std::to_string(j);
+      joint.max_velocity = joint.max_acceleration = joint.max_jerk = 1;
+      joint.lower = dice.uniform(-widest, widest);
+      joint.upper = joint.lower + dice.uniform(0, widest);
+      parts.joints.push_back(joint);
+    }
+    const Robot robot(parts);
+    JointVector branch(2);
+    for (double& angle : branch) angle = dice.uniform(-kPi, kPi) * (trial % 2 == 0 ? 1 : 5);
+    const auto copies_of = [&](int j) {
+      const Joint& joint = robot.joints()[static_cast<std::size_t>(j)];
+      std::vector<double> copies;
+      for (int k = -30; k <= 30; ++k) {
+        const double copy = branch[j] + 2 * kPi * k;
+        if (copy >= joint.lower && copy <= joint.upper) copies.push_back(copy);
+      }
+      return copies;
+    };
+    const std::vector<double> first = copies_of(0), second = copies_of(1);
+    std::vector<JointVector> postures;
+    int limiting = 7;
+    const int count = append_turns(robot, branch, Turns::all, postures, &limiting);
+    EXPECT_EQ(limiting, first.empty() ? 0 : second.empty() ? 1 : -1);
+    ASSERT_EQ(postures.size(), first.size() * second.size());
+    EXPECT_EQ(count, static_cast<int>(postures.size()));
+    for (std::size_t k = 0; k < postures.size(); ++k) {
+      EXPECT_NEAR(postures[k][0], first[k / second.size()], 1e-13);
+      EXPECT_NEAR(postures[k][1], second[k % second.size()], 1e-13);
+    }
+  }
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kDegree = 0.017453292519943295;
 constexpr std::size_t kReach = 2;  // waypoints before and after the one that fails
-constexpr std::size_t kChecksInTrial = 5000;  // of moves
-constexpr std::size_t kChecksInAll = 30000;
+constexpr std::size_t kChecksInTrial = 3000;  // of moves
+constexpr std::size_t kChecksInAll = 12000;
 constexpr std::size_t kMostSamples = 200000;  // of a trial
 constexpr std::size_t kMostNamed = 3;
 

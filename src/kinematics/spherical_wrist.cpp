@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/branch_directions.hpp"
 #include "kinematics/planar_turn.hpp"
 
 namespace wristwise {
@@ -33,6 +34,13 @@ namespace wristwise {
 //   cos^2(psi/2) = sin((s + a)/2) sin((s - a)/2) / (sin t1 sin t2),   s = t1 + t2,
 // q5 = phi +- psi. q4 turns e = E5 h6 onto W h6, and q6 is what then remains of W: given q4 and q5
 // it makes up for their errors, so that T is met even where q4 is arbitrary.
+//
+// Wrist with t1 = t2 = pi/2. Then psi = +-a. In coordinates along h5, h4 x h5, h4 let
+// W h6 = (x, y, z), W h5 = (u, v, w). With psi = a, e = (0, -sin a, cos a) and joint 4 turns it
+// onto W h6: q4 = arg(-y, x). As h5 is perpendicular to h6, q6 is the angle about W h6 from
+// E4 h5 = (-y, x, 0) / sin a to W h5; times sin a, so that nothing is divided,
+//   q6 = arg(x v - y u, w (x^2 + y^2) - z (x u + y v)).
+// The other wrist, psi = -a, is (q4 + pi, phi - a, q6 + pi).
 
 namespace {
 
@@ -62,11 +70,35 @@ Eigen::Vector3d nearest_point(const Eigen::Vector3d& p1, const Eigen::Vector3d& 
   return p1 + h1 * ((p2 - p1).cross(h2).dot(normal) / normal.squaredNorm());
 }
 
-/// atan2 gives -pi for directions on the negative axis with a sine of -0.
-double above_minus_pi(double angle) { return angle <= -kPi ? kPi : angle; }
+/// Nearer than this (rad) to a right angle is one.
+constexpr double kRightAngle = 1e-13;
 
 /// Do the two solutions at one end of a half-angle's range coincide?
 bool is_double_root(double half_sine) { return 2 * half_sine < kDoubleRoot; }
+
+static_assert(WorkspaceMargin::kMostWristStarts == BranchDirections::kMostWristsOfAnArm);
+
+/// The two solutions +-angle of shoulder or elbow.
+struct Bend {
+  PlanarTurn turn;
+  bool double_root = true;
+};
+
+/// From the squares of the half-angle's sine and cosine up to a common factor; negative ones count
+/// as zero.
+Bend bend_from_squares(double sine_squared, double cosine_squared, double separation) {
+  if (separation > 0) {
+    const HalfAngle half =
+        HalfAngle::from_squares(sine_squared, cosine_squared).kept_off_ends(separation);
+    return {half.whole_turn(), is_double_root(std::min(half.sine, half.cosine))};
+  }
+  const double s = std::max(sine_squared, 0.0);
+  const double c = std::max(cosine_squared, 0.0);
+  const double sum = s + c;
+  if (!(sum > 0)) return {};
+  return {{(c - s) / sum, 2 * std::sqrt(s * c) / sum},
+          4 * std::min(s, c) < kDoubleRoot * kDoubleRoot * sum};
+}
 
 }  // namespace
 
@@ -107,6 +139,8 @@ SphericalWrist::SphericalWrist(const SixAxes& axes, const Eigen::Vector3d& wrist
   wrist_ = WristAngles(angle_between(h[3], h[4]), angle_between(h[4], h[5]));
   const Eigen::Vector3d axis_6_in_5 = frame_5.transpose() * h[5];
   wrist_zero_ = PlanarTurn::onto(axis_6_in_5.x(), axis_6_in_5.y()).inverse();
+  phi_ = wrist_zero_.angle();
+  right_angled_ = std::abs(h[3].dot(h[4])) < kRightAngle && std::abs(h[4].dot(h[5])) < kRightAngle;
   side_6_ = frame_5.transpose() * side_6;
   normal_6_ = frame_5.transpose() * h[5].cross(side_6);
 
@@ -126,59 +160,87 @@ SphericalWrist::WristAngles::WristAngles(double t1, double t2)
 void SphericalWrist::solve(const Pose& tcp, const WorkspaceMargin& margin,
                            std::vector<JointVector>& branches) const {
   const Eigen::Vector3d wrist = base_to_1_ * (tcp * wrist_in_tcp_ - point_1_);
-  const Eigen::Vector3d axis_6 = base_to_1_ * (tcp.linear() * axis_6_in_tcp_);
-  const Eigen::Vector3d side_6 = base_to_1_ * (tcp.linear() * side_6_in_tcp_);
   const double radius = std::sqrt(wrist.x() * wrist.x() + wrist.y() * wrist.y());
   const double along = (side_offset_ - shoulder_cos_ * wrist.z()) / shoulder_sin_;
   if (!(std::abs(along) <= radius + margin.length)) return;
 
+  const Eigen::Vector3d axis_6 = base_to_1_ * (tcp.linear() * axis_6_in_tcp_);
+  const Eigen::Vector3d side_6 = base_to_1_ * (tcp.linear() * side_6_in_tcp_);
+  BranchDirections directions;
   const auto at = [&](const PlanarTurn& turn) {
     const PlanarTurn back = turn.inverse();
-    solve_elbow({back * wrist, back * axis_6, back * side_6}, turn.angle(), margin, branches);
+    directions.add_shoulder(turn.cosine, turn.sine);
+    solve_elbow({back * wrist, back * axis_6, back * side_6}, margin, directions);
   };
-  if (radius < kNoDirection) return at({});
-  const HalfAngle half =
-      HalfAngle::from_squares(radius - along, radius + along).kept_off_ends(margin.arm_separation);
-  const PlanarTurn azimuth = PlanarTurn::onto(wrist.x(), wrist.y());
-  at(azimuth * half.whole_turn());
-  if (is_double_root(std::min(half.sine, half.cosine))) return;
-  at(azimuth * half.whole_turn().inverse());
+  if (radius < kNoDirection) {
+    at({});
+  } else {
+    const Bend bend = bend_from_squares(radius - along, radius + along, margin.arm_separation);
+    const PlanarTurn azimuth{wrist.x() / radius, wrist.y() / radius};
+    at(azimuth * bend.turn);
+    if (!bend.double_root) at(azimuth * bend.turn.inverse());
+  }
+  directions.append_to(branches, phi_);
 }
 
-void SphericalWrist::solve_elbow(const ToolPose& tool, double q1, const WorkspaceMargin& margin,
-                                 std::vector<JointVector>& branches) const {
+void SphericalWrist::solve_elbow(const ToolPose& tool, const WorkspaceMargin& margin,
+                                 BranchDirections& directions) const {
   const Eigen::Vector3d reach = from_1_to_2_ * tool.wrist + offset_1_2_;
-  const Eigen::Vector3d axis_6 = from_1_to_2_ * tool.axis_6;
-  const Eigen::Vector3d side_6 = from_1_to_2_ * tool.side_6;
   const double distance = std::sqrt(reach.x() * reach.x() + reach.y() * reach.y());
   const double longest = upper_arm_ + forearm_;
   const double shortest = std::abs(upper_arm_ - forearm_);
   if (!(distance <= longest + margin.length && distance >= shortest - margin.length)) return;
 
-  const HalfAngle half = HalfAngle::from_squares((longest - distance) * (longest + distance),
-                                                 (distance - shortest) * (distance + shortest))
-                             .kept_off_ends(margin.arm_separation);
+  const Eigen::Vector3d axis_6 = from_1_to_2_ * tool.axis_6;
+  const Eigen::Vector3d side_6 = from_1_to_2_ * tool.side_6;
+  const Bend bend =
+      bend_from_squares((longest - distance) * (longest + distance),
+                        (distance - shortest) * (distance + shortest), margin.arm_separation);
   const bool folded_away = distance < kNoDirection;
-  const auto bent = [&](const PlanarTurn& bend) {
-    const PlanarTurn turn_2 =
-        folded_away
-            ? PlanarTurn{}
-            : PlanarTurn::onto(reach.x(), reach.y()) *
-                  PlanarTurn::onto(upper_arm_ + forearm_ * bend.cosine, forearm_ * bend.sine)
-                      .inverse();
-    const PlanarTurn turn_3 = bend * forearm_turn_.inverse();
+  const PlanarTurn azimuth{reach.x() / distance, reach.y() / distance};
+  const PlanarTurn arm =
+      PlanarTurn::onto(upper_arm_ + forearm_ * bend.turn.cosine, forearm_ * bend.turn.sine);
+  const auto bent = [&](const PlanarTurn& turn, const PlanarTurn& to_wrist) {
+    const PlanarTurn turn_2 = folded_away ? PlanarTurn{} : azimuth * to_wrist.inverse();
+    const PlanarTurn turn_3 = turn * forearm_turn_.inverse();
     const PlanarTurn back = (turn_2 * turn_3).inverse();
-    solve_wrist(from_2_to_4_ * (back * axis_6), from_2_to_4_ * (back * side_6),
-                {q1, turn_2.angle(), axis_3_sign_ * turn_3.angle()}, margin, branches);
+    directions.add_elbow(turn_2, {turn_3.cosine, axis_3_sign_ * turn_3.sine});
+    solve_wrist(from_2_to_4_ * (back * axis_6), from_2_to_4_ * (back * side_6), margin, directions);
   };
-  bent(half.whole_turn());
-  if (is_double_root(std::min(half.sine, half.cosine))) return;
-  bent(half.whole_turn().inverse());
+  bent(bend.turn, arm);
+  if (!bend.double_root) bent(bend.turn.inverse(), arm.inverse());
 }
 
 void SphericalWrist::solve_wrist(const Eigen::Vector3d& axis_6, const Eigen::Vector3d& side_6,
-                                 const std::array<double, 3>& arm, const WorkspaceMargin& margin,
-                                 std::vector<JointVector>& branches) const {
+                                 const WorkspaceMargin& margin,
+                                 BranchDirections& directions) const {
+  if (right_angled_ && !(margin.wrist_separation > 0)) {
+    solve_right_angled_wrist(axis_6, side_6, directions);
+  } else {
+    solve_any_wrist(axis_6, side_6, margin, directions);
+  }
+}
+
+void SphericalWrist::solve_right_angled_wrist(const Eigen::Vector3d& axis_6,
+                                              const Eigen::Vector3d& side_6,
+                                              BranchDirections& directions) const {
+  const double sine_squared = axis_6.x() * axis_6.x() + axis_6.y() * axis_6.y();
+  const double sine = std::sqrt(sine_squared);
+  const PlanarTurn psi{axis_6.z(), sine};
+  if (sine < kNoDirection) {  // q4 = 0, as if W h6 were at -y
+    directions.add_wrist(BranchDirections::Wrist::single, {}, psi, side_6.x(),
+                         side_6.z() * sine + axis_6.z() * side_6.y());
+    return;
+  }
+  directions.add_wrist(
+      BranchDirections::Wrist::flipped, {-axis_6.y(), axis_6.x()}, psi,
+      axis_6.x() * side_6.y() - axis_6.y() * side_6.x(),
+      side_6.z() * sine_squared - axis_6.z() * (axis_6.x() * side_6.x() + axis_6.y() * side_6.y()));
+}
+
+void SphericalWrist::solve_any_wrist(const Eigen::Vector3d& axis_6, const Eigen::Vector3d& side_6,
+                                     const WorkspaceMargin& margin,
+                                     BranchDirections& directions) const {
   const double sine = std::sqrt(axis_6.x() * axis_6.x() + axis_6.y() * axis_6.y());
   const HalfAngle a = HalfAngle::of(axis_6.z(), sine);
   const PlanarTurn& least = wrist_.half_least;
@@ -199,14 +261,13 @@ void SphericalWrist::solve_wrist(const Eigen::Vector3d& axis_6, const Eigen::Vec
         singular ? spread : direction * PlanarTurn::onto(x, wrist_.sine_2 * psi.sine) * spread;
     const PlanarTurn turn_5 = wrist_zero_ * psi;
     const Eigen::Vector3d side = turn_5.inverse() * (from_4_to_5_ * (turn_4.inverse() * side_6));
-    JointVector& q = branches.emplace_back(6);
-    q << arm[0], arm[1], arm[2], turn_4.angle(), turn_5.angle(),
-        std::atan2(side.dot(normal_6_), side.dot(side_6_));
-    for (double& angle : q) angle = above_minus_pi(angle);
+    directions.add_wrist(BranchDirections::Wrist::single, turn_4, psi, side.dot(side_6_),
+                         side.dot(normal_6_));
   };
   if (half.sine != exact.sine) {
-    for (int k = 0; k < margin.wrist_starts; ++k) {
-      bent(half.whole_turn(), PlanarTurn::by(2 * kPi * k / margin.wrist_starts));
+    const int starts = std::min(margin.wrist_starts, WorkspaceMargin::kMostWristStarts);
+    for (int k = 0; k < starts; ++k) {
+      bent(half.whole_turn(), PlanarTurn::by(2 * kPi * k / starts));
     }
     return;
   }

@@ -9,6 +9,8 @@
 
 namespace wristwise {
 
+class BranchDirections;
+
 /// The axes of a six-axis arm at joint zero, in the base frame.
 struct SixAxes {
   std::array<Eigen::Vector3d, 6> points;      ///< on each axis, m
@@ -26,6 +28,7 @@ struct WorkspaceMargin {
   double wrist_separation = 0;
   /// Postures given for a wrist that was moved away, with joint 4 spread over a whole turn.
   int wrist_starts = 1;
+  static constexpr int kMostWristStarts = 8;  ///< more are not given
 };
 
 /// The inverse kinematics of an arm whose axes 2 and 3 are parallel and whose axes 4, 5 and 6 meet
@@ -55,11 +58,14 @@ class SphericalWrist {
     PlanarTurn half_least, half_most;  // of the angle between axes 4 and 6
   };
 
-  void solve_elbow(const ToolPose& tool, double q1, const WorkspaceMargin& margin,
-                   std::vector<JointVector>& branches) const;
+  void solve_elbow(const ToolPose& tool, const WorkspaceMargin& margin,
+                   BranchDirections& directions) const;
   void solve_wrist(const Eigen::Vector3d& axis_6, const Eigen::Vector3d& side_6,
-                   const std::array<double, 3>& arm, const WorkspaceMargin& margin,
-                   std::vector<JointVector>& branches) const;
+                   const WorkspaceMargin& margin, BranchDirections& directions) const;
+  void solve_right_angled_wrist(const Eigen::Vector3d& axis_6, const Eigen::Vector3d& side_6,
+                                BranchDirections& directions) const;
+  void solve_any_wrist(const Eigen::Vector3d& axis_6, const Eigen::Vector3d& side_6,
+                       const WorkspaceMargin& margin, BranchDirections& directions) const;
 
   // Frames of constant orientation, z along an axis at zero; see the derivation in the source.
   Eigen::Matrix3d base_to_1_;
@@ -74,7 +80,9 @@ class SphericalWrist {
   double upper_arm_ = 0, forearm_ = 0, axis_3_sign_ = 1;
   PlanarTurn forearm_turn_;
   WristAngles wrist_{1, 1};
-  PlanarTurn wrist_zero_;  // joint 5 where axis 6 is nearest to axis 4
+  PlanarTurn wrist_zero_;      // joint 5 where axis 6 is nearest to axis 4
+  double phi_ = 0;             // the same as an angle
+  bool right_angled_ = false;  // axis 5 is perpendicular to axes 4 and 6
 };
 
 }  // namespace wristwise
