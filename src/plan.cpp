@@ -65,6 +65,7 @@ class Pipeline {
   }
 
   void prepare() {
+    validate_joint_waypoints(problem_.task, *problem_.robot);
     clearance_ = std::make_shared<const ClearanceModel>(problem_.robot, problem_.scene);
     result_.permanent_contacts = clearance_->permanent_contacts();
     result_.warnings = problem_.robot->warnings();

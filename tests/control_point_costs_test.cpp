@@ -220,18 +220,19 @@ TEST(PointCost, JacobianOfJointRows) {
   const auto robot = kr5::load();
   ClearanceChecker checker(no_obstacles(robot));
   Waypoint waypoint;
-  waypoint.joints = random_posture(*robot, random);
+  const JointVector posture = random_posture(*robot, random);
+  waypoint.joints = posture;
   PointConstraint point = constraint_at_waypoint(waypoint, SplineBasis(kBreakpoints));
   point.basis = SplineBasis(kBreakpoints).at(kTime);
   point.rows[2].bounds.multiplier = 3;
   ASSERT_EQ(point.rows.size(), 6U);
   const std::unique_ptr<ceres::CostFunction> cost(point_cost(*robot, checker, point, kMu));
-  const Eigen::MatrixXd control = control_about(*waypoint.joints, 0, random);
+  const Eigen::MatrixXd control = control_about(posture, 0, random);
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(6);
   expected[2] = 3 / std::sqrt(kMu);
   EXPECT_LT((residuals_at(*cost, control) - expected).norm(), 1e-12);
   expect_jacobian(*cost, control);
-  expect_jacobian(*cost, control_about(*waypoint.joints, 0.5, random));
+  expect_jacobian(*cost, control_about(posture, 0.5, random));
 }
 
 /// A ball beside the torch of the KR 5, nearer and nearer and then inside it.

@@ -75,6 +75,19 @@ TEST(DiagnoseSamples, NamesTheFirstWaypointAndItsReason) {
   EXPECT_TRUE(says(colliding->detail, "11 collide")) << colliding->detail;
 }
 
+TEST(DiagnoseSamples, OfAJointWaypointSpeaksOfItsRanges) {
+  Task with_joints = task();
+  with_joints.waypoints[2].joints = gantry::posture(0, 0, 0);
+  SampleCounts counts;
+  counts.samples = 1;
+  counts.collision = {{{"ball", "post"}, 1}};
+  const auto colliding = diagnose_samples(*gantry::robot(), with_joints, empty_at(2, counts));
+  ASSERT_TRUE(colliding.has_value());
+  EXPECT_TRUE(says(colliding->detail, "ball - post")) << colliding->detail;
+  EXPECT_TRUE(says(colliding->suggestion, "ranges of its joints")) << colliding->suggestion;
+  EXPECT_FALSE(says(colliding->suggestion, "tolerance")) << colliding->suggestion;
+}
+
 /// The ball of radius 0.05 m passes at 0.05 m a step; a post of radius 0.1 m stands on the seam at
 /// x = 0.5, so that the waypoints 8 to 12 (x = 0.4 .. 0.6) collide.
 Planning past_a_post() {

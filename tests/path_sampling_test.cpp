@@ -168,13 +168,44 @@ TEST(SamplePath, AJointWaypointIsItsPosture) {
   sampling.objects = {gantry::obstacle(Sphere{0.2}, 0.3, 1, 0)};
   const SampledPath sampled = sampling.run();
   ASSERT_EQ(sampled.rungs[1].size(), 1);
-  EXPECT_EQ(sampled.rungs[1].vertex(0), *sampling.task.waypoints[1].joints);
+  EXPECT_EQ(sampled.rungs[1].vertex(0), gantry::posture(0.3, 0.1, 0, 0.7));
   EXPECT_EQ(sampled.rungs[1].cost[0], 0);
   EXPECT_EQ(sampled.counts[1].samples, 1U);
   EXPECT_EQ(sampled.rungs[2].size(), 0);
   EXPECT_EQ(sampled.counts[2].joint_limit.at(3), 1U);
   EXPECT_EQ(sampled.rungs[3].size(), 0);
   EXPECT_EQ(sampled.counts[3].collision.size(), 1U);
+}
+
+/// x at 0.2, 0.3 and 0.4, y at -0.1, 0 and 0.1, tilt at 2.8, 2.9, 3 and, beyond its limit, at 3.1
+/// and 3.2. A ball of 0.05 m keeps clear of a ball of 0.07 m at (0.2, 0.1).
+TEST(SamplePath, ARangedJointWaypointIsTheGridOfItsRanges) {
+  Sampling sampling;
+  sampling.options.joint_step = {0.1, 0, 0, 0.1};
+  sampling.task.waypoints[1].joints =
+      JointBox(gantry::posture(0.2, -0.1, 0, 2.8), gantry::posture(0.4, 0.1, 0, 3.2));
+  sampling.objects = {gantry::obstacle(Sphere{0.07}, 0.2, 0.1, 0)};
+  const SampledPath sampled = sampling.run();
+  std::vector<JointVector> expected;
+  for (const double x : {0.2, 0.3, 0.4}) {
+    for (const double y : {-0.1, 0.0, 0.1}) {
+      if (std::hypot(x - 0.2, y - 0.1) < 0.12) continue;
+      for (const double tilt : {2.8, 2.9, 3.0}) expected.push_back(gantry::posture(x, y, 0, tilt));
+    }
+  }
+  const Rung& rung = sampled.rungs[1];
+  ASSERT_EQ(static_cast<std::size_t>(rung.size()), expected.size());
+  for (std::size_t v = 0; v < expected.size(); ++v) {
+    const auto index = static_cast<Eigen::Index>(v);
+    EXPECT_LT((rung.vertex(index) - expected[v]).norm(), 1e-14) << v;
+    EXPECT_EQ(rung.cost[index], 0);
+  }
+  // Copies by whole turns are those inside the ranges; the tilt's is cut to its limit.
+  EXPECT_EQ(rung.lower, gantry::posture(0.2, -0.1, 0, 2.8));
+  EXPECT_EQ(rung.upper, gantry::posture(0.4, 0.1, 0, 3));
+  EXPECT_EQ(sampled.counts[1].samples, 3U * 3 * 5);
+  EXPECT_EQ(sampled.counts[1].joint_limit.at(3), 3U * 3 * 2);
+  EXPECT_EQ(sampled.counts[1].collision.begin()->second, 3U * 3);
 }
 
 /// In the base frame the position is sampled along the base axes, whatever the path frame is.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "gantry_urdf.hpp"
 #include "invalid_input.hpp"
 #include "io/quantity.hpp"
 #include "temporary_folder.hpp"
@@ -17,21 +18,6 @@ using test::says;
 using test::TemporaryFolder;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
-
-constexpr const char* kUrdf = R"(<?xml version="1.0"?>
-<robot name="gantry">
-  <link name="base"/>
-  <link name="beam"/>
-  <link name="carriage"><collision><geometry><sphere radius="0.1"/></geometry></collision></link>
-  <link name="tip"/>
-  <joint name="x" type="prismatic"><parent link="base"/><child link="beam"/><axis xyz="1 0 0"/>
-    <limit lower="-2" upper="2" velocity="1" effort="1"/></joint>
-  <joint name="y" type="prismatic"><parent link="beam"/><child link="carriage"/>
-    <axis xyz="0 1 0"/><limit lower="-2" upper="2" velocity="1" effort="1"/></joint>
-  <joint name="turn" type="revolute"><parent link="carriage"/><child link="tip"/>
-    <axis xyz="0 0 1"/><limit lower="-3" upper="3" velocity="1" effort="1"/></joint>
-</robot>
-)";
 
 constexpr const char* kProblem = R"(robot:
   urdf: gantry.urdf
@@ -68,7 +54,7 @@ controller: {period: 8 ms}
 
 class ProblemFile : public testing::Test {
  protected:
-  ProblemFile() { folder_.write("gantry.urdf", kUrdf); }
+  ProblemFile() { folder_.write("gantry.urdf", test::kGantryUrdf); }
 
   Problem load(const std::string& text) {
     return load_problem(folder_.write("test_problem.yaml", text));
@@ -299,7 +285,8 @@ TEST_F(PathProblem, JointWaypointsAreInJointSpace) {
   ASSERT_EQ(with_joints.waypoints.size(), 2u);
   JointVector q(3);
   q << 0, 0.5, 90 * kDegree;
-  EXPECT_EQ(with_joints.waypoints[0].joints, q);
+  EXPECT_EQ(with_joints.waypoints[0].joints->lower, q);
+  EXPECT_EQ(with_joints.waypoints[0].joints->upper, q);
   EXPECT_LT((with_joints.waypoints[0].frame.translation() - Eigen::Vector3d(0, 0.5, 0)).norm(),
             1e-15);
   const std::string message =

@@ -155,6 +155,25 @@ TEST(PointConstraint, RowsOfABoxAreItsBoundedCoordinates) {
   EXPECT_EQ(point.basis.derivatives, basis.at(0.3).derivatives);
 }
 
+/// Ranges hold with 1e-6 in hand; one that is too narrow for that is its middle.
+TEST(PointConstraint, RowsOfAJointWaypointAreItsRanges) {
+  Waypoint waypoint;
+  waypoint.joints =
+      JointBox(gantry::posture(0.1, 0.2, -1, 0.5), gantry::posture(0.1, 0.3, 1, 0.5 + 1e-6));
+  const PointConstraint point = constraint_at_waypoint(waypoint, SplineBasis({0, 1}));
+  ASSERT_EQ(point.rows.size(), 4U);
+  const std::vector<std::pair<double, double>> expected = {
+      {0.1, 0.1}, {0.2 + 1e-6, 0.3 - 1e-6}, {-1 + 1e-6, 1 - 1e-6}, {0.5 + 5e-7, 0.5 + 5e-7}};
+  for (std::size_t j = 0; j < 4; ++j) {
+    const PointConstraint::Row& row = point.rows[j];
+    EXPECT_EQ(row.kind, Kind::joint);
+    EXPECT_EQ(row.index, static_cast<int>(j));
+    EXPECT_NEAR(row.bounds.lower, expected[j].first, 1e-15);
+    EXPECT_NEAR(row.bounds.upper, expected[j].second, 1e-15);
+    EXPECT_LE(row.bounds.lower, row.bounds.upper);
+  }
+}
+
 TEST(PointConstraint, ValuesOfTheGantryAreItsOffsets) {
   const auto robot = gantry::robot();
   ClearanceChecker checker(

@@ -123,7 +123,7 @@ Task three_point_task() {
 JointPath three_point_seed(const Task& task) {
   JointPath seed = gantry::path_along(task);
   for (const std::size_t i : {std::size_t{0}, std::size_t{40}, std::size_t{100}}) {
-    seed.positions[i] = *task.waypoints[i].joints;
+    seed.positions[i] = task.waypoints[i].joints->nominal();
   }
   return seed;
 }
@@ -146,6 +146,32 @@ TEST(Refine, FindsTheOptimumThroughThreePoints) {
   }
   EXPECT_NEAR(refined.statistics.objective, objective, 1e-4 * objective);
   EXPECT_LE(refined.statistics.max_violation, example.options.constraint_tolerance);
+  EXPECT_TRUE(verify(example.task, example.clearance, refined.trajectory).passed);
+}
+
+/// The ranges at 4 s let x go straight from 0 to 1, hold y at its lower and z at its upper bound,
+/// and leave the tilt one value.
+TEST(Refine, FindsTheOptimumThroughTheRangesOfAJointWaypoint) {
+  Example example(gantry::parts(), three_point_task());
+  example.task.waypoints[40].joints =
+      JointBox(posture(0.3, 0.2, -0.5, 0.1), posture(0.5, 0.4, -0.1, 0.1));
+  example.task.waypoints.back().joints = posture(1, 0, 0, 0);
+  const Refined refined = example.run(three_point_seed(example.task));
+  EXPECT_TRUE(refined.feasible);
+  ThreePointOptimum optimum(4, kDuration, kTau);
+  const double middle[] = {0.4, 0.2, -0.1, 0.1}, end[] = {1, 0, 0, 0};
+  double objective = 0;
+  for (int j = 0; j < 4; ++j) {
+    optimum.pass_through(0, middle[j], end[j]);
+    objective += optimum.objective();
+    for (double t = 0; t <= kDuration; t += 0.37) {
+      EXPECT_NEAR(refined.trajectory.evaluate(t)[j], optimum.value(t), 1e-4);
+    }
+  }
+  EXPECT_NEAR(refined.statistics.objective, objective, 1e-4 * objective);
+  const JointVector q = refined.trajectory.evaluate(example.task.waypoints[40].time);
+  EXPECT_GE(q[1], 0.2);
+  EXPECT_LE(q[2], -0.1);
   EXPECT_TRUE(verify(example.task, example.clearance, refined.trajectory).passed);
 }
 

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "invalid_input.hpp"
+
 namespace wristwise {
 namespace {
 
@@ -49,6 +53,49 @@ TEST(SamplingGrid, IsTheProductOfItsCoordinates) {
   const auto grid = sampling_grid(box, step);
   EXPECT_EQ(grid.size(), 5U * 5U * 36U);
   for (const Vector6& e : grid) EXPECT_EQ(box_excess(box, e).maxCoeff(), 0);
+}
+
+JointVector joints(double a, double b, double c) {
+  JointVector q(3);
+  q << a, b, c;
+  return q;
+}
+
+/// 1.2 to 2 in steps of at most 0.3: three intervals, and the middle 1.6 is kept; the second joint
+/// has no step; the third has one value.
+TEST(JointGrid, IsTheProductOfTheRanges) {
+  const JointBox box(joints(1.2, -0.5, 0.7), joints(2, 0.1, 0.7));
+  const auto grid = joint_grid(box, {0.3, 0, 0.1});
+  std::vector<JointVector> expected;
+  for (const double a : {1.2, 1.2 + 0.8 / 3, 1.6, 1.2 + 1.6 / 3, 2.0}) {
+    for (const double b : {-0.5, -0.2, 0.1}) expected.push_back(joints(a, b, 0.7));
+  }
+  ASSERT_EQ(grid.size(), expected.size());
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    EXPECT_LT((grid[i] - expected[i]).cwiseAbs().maxCoeff(), 1e-15) << i;
+  }
+  // Ends and exact values to the bit: a limit may be there.
+  EXPECT_EQ(grid.front(), box.lower);
+  EXPECT_EQ(grid.back(), box.upper);
+}
+
+TEST(JointGrid, WithoutStepsHasEndsAndMiddle) {
+  EXPECT_EQ(joint_grid({joints(0, 1, 2), joints(1, 2, 3)}, {}).size(), 27U);
+  const JointVector posture = joints(0.1, 0.2, 0.3);
+  const auto exact = joint_grid(posture, {});
+  ASSERT_EQ(exact.size(), 1U);
+  EXPECT_EQ(exact[0], posture);
+}
+
+TEST(JointGrid, RefusesImpossibleSteps) {
+  const JointBox box(joints(0, 0, 0), joints(1, 1, 1));
+  const auto message = [&](const std::vector<double>& step) {
+    return test::invalid_input([&] { joint_grid(box, step); });
+  };
+  EXPECT_TRUE(test::says(message({0.1, 0.1}), "graph.samples.joints: 2 steps"));
+  EXPECT_TRUE(test::says(message({0.1, -1, 0.1}), "-1 is no step"));
+  EXPECT_TRUE(test::says(message({0.1, std::nan(""), 0.1}), "nan is no step"));
+  EXPECT_TRUE(test::says(message({1e-3, 1e-3, 1e-3}), "at most a million"));
 }
 
 }  // namespace

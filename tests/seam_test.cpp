@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "invalid_input.hpp"
@@ -238,6 +239,12 @@ TEST(SeamBuilder, TimesOfPosesAreKept) {
   EXPECT_EQ(build_task(gantry(), description).waypoints.size(), 9u);
 }
 
+void expect_exactly(const Waypoint& waypoint, const JointVector& q) {
+  ASSERT_TRUE(waypoint.joints);
+  EXPECT_EQ(waypoint.joints->lower, q);
+  EXPECT_EQ(waypoint.joints->upper, q);
+}
+
 TEST(SeamBuilder, JointWaypointsAreReachedByMoves) {
   SeamDescription description =
       describe({{JointListSegment{{posture(0, 0, 0), posture(0.001, 1, 0)}, {"1", "2"}}, {}, "j"},
@@ -247,10 +254,10 @@ TEST(SeamBuilder, JointWaypointsAreReachedByMoves) {
   description.spacing = 0.5;
   const Task task = build_task(gantry(), description);
   ASSERT_EQ(task.waypoints.size(), 6u);
-  EXPECT_EQ(task.waypoints[0].joints, posture(0, 0, 0));
-  EXPECT_EQ(task.waypoints[1].joints, posture(0.001, 1, 0));
+  expect_exactly(task.waypoints[0], posture(0, 0, 0));
+  expect_exactly(task.waypoints[1], posture(0.001, 1, 0));
   EXPECT_FALSE(task.waypoints[2].joints);
-  EXPECT_EQ(task.waypoints[5].joints, posture(1.001, 1.2, 0.3));
+  expect_exactly(task.waypoints[5], posture(1.001, 1.2, 0.3));
   EXPECT_LT((task.waypoints[1].frame.translation() - Eigen::Vector3d(0.001, 1, 0)).norm(), 1e-15);
   // The y axis runs at 1 m/s at most, slower than the seam's speed; elsewhere the speed decides.
   EXPECT_NEAR(task.waypoints[1].time, 1.0, 1e-12);
@@ -264,7 +271,7 @@ TEST(SeamBuilder, JointWaypointsAreReachedByMoves) {
 }
 
 TEST(SeamBuilder, JointWaypointsMustBePossible) {
-  const auto message = [](const std::vector<JointVector>& postures) {
+  const auto message = [](const std::vector<JointBox>& postures) {
     SeamDescription description =
         describe({{JointListSegment{postures, {"first", "second"}}, {}, "joints"}});
     return invalid_input([&] { build_task(gantry(), description); });
@@ -274,6 +281,56 @@ TEST(SeamBuilder, JointWaypointsMustBePossible) {
   JointVector two(2);
   two << 0, 0;
   EXPECT_TRUE(says(message({two, posture(0, 0, 0)}), "first: 2 joint values"));
+  EXPECT_TRUE(says(message({{posture(0, 0, 0), two}, posture(1, 0, 0)}), "first: 2 joint values"));
+  const JointBox inverted(posture(0, 0.3, 0), posture(1, 0.2, 0));
+  EXPECT_TRUE(says(message({posture(0, 0, 0), inverted}),
+                   "second: y: the lower bound 0.3 is above the upper, 0.2"));
+  const JointBox beyond(posture(0, 0, 2.1), posture(0, 0, 3));
+  const std::string outside = message({beyond, posture(0, 0, 0)});
+  EXPECT_TRUE(says(outside, "first: z = [2.1, 3] is outside its limits")) << outside;
+  EXPECT_TRUE(says(outside, "-2 to 2")) << outside;
+  for (const double nan : {std::nan(""), -std::nan("")}) {
+    EXPECT_TRUE(says(message({{posture(0, nan, 0), posture(0, 1, 0)}, posture(0, 0, 0)}),
+                     "y is not a number"));
+    EXPECT_TRUE(says(message({{posture(0, 0, 0), posture(0, nan, 0)}, posture(0, 0, 0)}),
+                     "y is not a number"));
+  }
+  // The same nominal posture twice leaves no time for the move between them.
+  EXPECT_TRUE(says(
+      message({{posture(-1, 0, 0), posture(1, 0, 0)}, {posture(-0.5, 0, 0), posture(0.5, 0, 0)}}),
+      "second: repeated waypoint"));
+}
+
+/// The range of z is cut to the limit, 2 m; the nominal posture is the middle of what is left, and
+/// gives the frame and the times.
+TEST(SeamBuilder, RangedJointWaypointsAreTimedByTheirNominalPosture) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  SeamDescription description =
+      describe({{JointListSegment{{posture(0, 0, 0),
+                                   {posture(-0.1, 0.8, 1.8), posture(0.3, 1.2, 5)},
+                                   {posture(-kInfinity, 1, 1.9), posture(kInfinity, 1, 1.9)}},
+                                  {"1", "2", "3"}},
+                 {},
+                 "j"},
+                line(at(0, 1, 1.5), at(1, 1, 1.5))});
+  description.speed = 4;
+  description.spacing = 1;
+  const Task task = build_task(gantry(), description);
+  ASSERT_EQ(task.waypoints.size(), 5u);
+  const JointBox& box = *task.waypoints[1].joints;
+  EXPECT_EQ(box.lower, posture(-0.1, 0.8, 1.8));
+  EXPECT_EQ(box.upper, posture(0.3, 1.2, 2));
+  EXPECT_LT((box.nominal() - posture(0.1, 1, 1.9)).norm(), 1e-15);
+  EXPECT_EQ(task.waypoints[2].joints->lower, posture(-2, 1, 1.9));
+  EXPECT_EQ(task.waypoints[2].joints->upper, posture(2, 1, 1.9));
+  EXPECT_LT((task.waypoints[1].frame.translation() - Eigen::Vector3d(0.1, 1, 1.9)).norm(), 1e-15);
+  // z needs 1.9 m / 1.5 m/s, x then 0.1 m / 0.5 m/s; 0.4 m to the line at 4 m/s.
+  EXPECT_NEAR(task.waypoints[1].time, 1.9 / 1.5, 1e-12);
+  EXPECT_NEAR(task.waypoints[2].time, 1.9 / 1.5 + 0.2, 1e-12);
+  EXPECT_NEAR(task.waypoints[3].time, 1.9 / 1.5 + 0.3, 1e-12);
+  const Task again = task.with_waypoints_at({0, task.waypoints[1].time, task.waypoints[2].time,
+                                             task.waypoints[3].time, task.waypoints[4].time});
+  EXPECT_EQ(again.waypoints[1].joints->upper, posture(0.3, 1.2, 2));
 }
 
 TEST(Task, WaypointsAtOtherTimes) {
@@ -303,7 +360,7 @@ TEST(Task, JointWaypointsStayWhenTimesAreGiven) {
                 line(at(0, 1, 0), at(1, 1, 0))});
   description.spacing = 0.5;
   const Task task = build_task(gantry(), description);
-  EXPECT_EQ(task.with_waypoints_at({0, 100, 120}).waypoints[0].joints, posture(0, 0, 0));
+  expect_exactly(task.with_waypoints_at({0, 100, 120}).waypoints[0], posture(0, 0, 0));
   EXPECT_TRUE(says(invalid_input([&] { task.with_waypoints_at({0, 50, 100}); }), "move"));
   EXPECT_TRUE(says(invalid_input([&] { task.with_waypoints_at({100, 150}); }), "left out"));
 }

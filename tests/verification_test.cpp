@@ -219,8 +219,61 @@ TEST(Verification, CatchesAWrongJointWaypoint) {
   expect_clean(check(task, nodes.curve()));
   // Inside the box of the neighbours, but not the posture that is given.
   nodes.path.positions[kFaulty][1] += 2e-6;
-  expect_failure(check(task, nodes.path), {"waypoint 4 (4 s)", "2e-06 off the posture"});
-  expect_failure(check(task, nodes.curve()), {"waypoint 4 (4 s)", "2e-06 off the posture"});
+  expect_failure(check(task, nodes.path), {"waypoint 4 (4 s)", "y is 2e-06 off the posture"});
+  expect_failure(check(task, nodes.curve()), {"waypoint 4 (4 s)", "y is 2e-06 off the posture"});
+}
+
+/// y may be in [0.1 m, 0.3 m], to 1e-9 m as with joint limits; x, z and the tilt have one value.
+TEST(Verification, HoldsTheRangesOfAJointWaypoint) {
+  Task task = straight_task();
+  task.waypoints[kFaulty].joints =
+      JointBox(gantry::posture(0.4, 0.1, 0), gantry::posture(0.4, 0.3, 0));
+  for (Waypoint& waypoint : task.waypoints) waypoint.tolerance = gantry::box(1, 1);
+  Nodes nodes(task);
+  const auto set_y = [&](double y) { nodes.path.positions[kFaulty][1] = y; };
+  for (const double y : {0.1, 0.1 - 5e-10, 0.2, 0.3 + 5e-10, 0.3}) {
+    set_y(y);
+    expect_clean(check(task, nodes.path));
+    expect_clean(check(task, nodes.curve()));
+  }
+  const std::string range = "outside its range [0.1, 0.3]";
+  for (const auto& [y, excess] : {std::pair{0.1 - 2e-9, "2e-09"}, std::pair{0.3 + 2e-9, "2e-09"},
+                                  std::pair{0.05, "0.05"}, std::pair{0.0, "0.1"}}) {
+    set_y(y);
+    const std::string amount = std::string("y is ") + excess;
+    expect_failure(check(task, nodes.path), {"waypoint 4 (4 s)", amount, range});
+    expect_failure(check(task, nodes.curve()), {"waypoint 4 (4 s)", amount, range});
+  }
+  set_y(0.2);
+  nodes.path.positions[kFaulty][3] = 0.01;
+  expect_failure(check(task, nodes.path), {"tilt is 0.01 off the posture"});
+}
+
+/// Between a range and a value there is no gap: within 1e-6 of the middle is near enough.
+TEST(Verification, ATinyRangeIsHeldLikeAValue) {
+  Task task = straight_task();
+  task.waypoints[kFaulty].joints =
+      JointBox(gantry::posture(0.4, -1e-8, 0), gantry::posture(0.4, 1e-8, 0));
+  Nodes nodes(task);
+  nodes.path.positions[kFaulty][1] = 9e-7;
+  expect_clean(check(task, nodes.path));
+  nodes.path.positions[kFaulty][1] = 2e-6;
+  expect_failure(check(task, nodes.path), {"y is 1.99e-06 outside its range"});
+}
+
+TEST(Verification, RejectsAJointWaypointThatFitsNoRobot) {
+  Task task = straight_task();
+  const JointPath path = gantry::path_along(task);
+  const auto message = [&](const JointBox& box) {
+    task.waypoints[kFaulty].joints = box;
+    return invalid_input([&] { check(task, path); });
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(says(message(JointVector(JointVector::Zero(3))), "waypoint 4: 3 joint values"));
+  EXPECT_TRUE(says(message(gantry::posture(0, nan, 0)), "waypoint 4: y is not a number"));
+  EXPECT_TRUE(says(message(gantry::posture(3, 0, 0)), "waypoint 4: x = 3 is outside its limits"));
+  EXPECT_TRUE(says(message({gantry::posture(1, 0, 0), gantry::posture(0, 0, 0)}),
+                   "waypoint 4: x: the lower bound 1 is above the upper, 0"));
 }
 
 TEST(Verification, RejectsALeftOutJointWaypoint) {

@@ -55,6 +55,9 @@ struct GraphOptions {
   /// Sampling step of x, y, z (m), rx, ry, rz (rad); used where the tolerance has a width.
   /// 0: the ends and the nominal for a bounded coordinate, 10 deg for a free one.
   Vector6 step = Vector6::Zero();
+  /// Sampling step of the ranges of joint waypoints, rad or m, one per joint; 0: the ends and the
+  /// middle. Empty: all 0.
+  std::vector<double> joint_step;
   /// > 0: steps are chosen so that a waypoint has about so many samples, `step` unused.
   int automatic_samples = 0;
   /// Samples again, ever finer, around the best path until the cost settles.

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "wristwise/joints.hpp"
+#include "wristwise/joint_box.hpp"
 #include "wristwise/pose.hpp"
 #include "wristwise/tolerance.hpp"
 
@@ -52,10 +52,10 @@ class Seam {
 
 /// A point of the seam that the planner must pass.
 struct Waypoint {
-  double time = 0;                    ///< s
-  Pose frame = Pose::Identity();      ///< path frame, in base
-  ToleranceBox tolerance;             ///< also for the stretch that ends here
-  std::optional<JointVector> joints;  ///< given: this posture exactly, frame and tolerance unused
+  double time = 0;                 ///< s
+  Pose frame = Pose::Identity();   ///< path frame, in base; of a joint waypoint the nominal TCP
+  ToleranceBox tolerance;          ///< also for the stretch that ends here
+  std::optional<JointBox> joints;  ///< given: a joint waypoint; its tolerance is unused
 };
 
 /// What is to be done: the seam, its waypoints and what is allowed between them.
@@ -73,5 +73,8 @@ struct Task {
   /// where no path is prescribed (a move to or from a joint waypoint).
   std::optional<ToleranceBox> tolerance_between(std::size_t interval) const;
 };
+
+/// @throws InvalidInput where a joint waypoint does not fit the robot (see cut_to_limits).
+void validate_joint_waypoints(const Task& task, const Robot& robot);
 
 }  // namespace wristwise

@@ -4,6 +4,7 @@
 #include "wristwise/error.hpp"
 #include "wristwise/geometry.hpp"
 #include "wristwise/inverse_kinematics.hpp"
+#include "wristwise/joint_box.hpp"
 #include "wristwise/joints.hpp"
 #include "wristwise/kinematics.hpp"
 #include "wristwise/mesh.hpp"

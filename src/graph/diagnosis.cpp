@@ -51,18 +51,20 @@ Diagnosis diagnose_waypoint(const Task& task, std::size_t waypoint, FailureCount
   diagnosis.waypoint = waypoint;
   const std::string where =
       fmt::format("waypoint {} ({:.4g} s): ", waypoint, task.waypoints[waypoint].time);
+  const std::string widen =
+      task.waypoints[waypoint].joints ? "widen the ranges of its joints" : "widen the tolerance";
   if (!counts.collision.empty()) {
     const auto& [pair, count] = *most_frequent(counts.collision);
     diagnosis.reason = "collision";
     diagnosis.detail =
         fmt::format("{}every reachable posture is nearer than the clearance, most often {} - {}",
                     where, pair.first, pair.second);
-    diagnosis.suggestion = "move the part, or widen the tolerance";
+    diagnosis.suggestion = "move the part, or " + widen;
   } else if (!counts.joint_limit.empty()) {
     diagnosis.reason = "joint_limit";
     diagnosis.detail = fmt::format("{}every branch breaks a joint limit, most often that of {}",
                                    where, most_frequent(counts.joint_limit)->first);
-    diagnosis.suggestion = "move the part, or widen the tolerance";
+    diagnosis.suggestion = "move the part, or " + widen;
   } else {
     diagnosis.reason = "out_of_reach";
     diagnosis.detail = fmt::format("{}out of reach at every sample", where);

@@ -77,10 +77,7 @@ class WaypointSampler {
   Rung sample(const Waypoint& waypoint, SampleCounts& counts) {
     positions_.clear();
     costs_.clear();
-    if (waypoint.joints) {
-      counts.samples = 1;
-      return joint_rung(*waypoint.joints, counts);
-    }
+    if (waypoint.joints) return joint_rung(*waypoint.joints, counts);
     if (!grid_ || !grid_->is_of(waypoint.tolerance)) {
       grid_.emplace(waypoint.tolerance, waypoint_grid(waypoint.tolerance, input_.options),
                     input_.cost);
@@ -104,18 +101,27 @@ class WaypointSampler {
     return make_rung();
   }
 
-  Rung joint_rung(const JointVector& q, SampleCounts& counts) {
+  /// Copies by whole turns count where they are inside the ranges.
+  Rung joint_rung(const JointBox& box, SampleCounts& counts) {
+    for (const JointVector& q : joint_grid(box, input_.options.joint_step)) {
+      ++counts.samples;
+      add_joint_sample(q, counts);
+    }
+    Rung rung = make_rung();
+    rung.lower = box.lower.cwiseMax(input_.robot.lower_limits());
+    rung.upper = box.upper.cwiseMin(input_.robot.upper_limits());
+    return rung;
+  }
+
+  void add_joint_sample(const JointVector& q, SampleCounts& counts) {
     for (int j = 0; j < input_.robot.joint_count(); ++j) {
       const Joint& joint = input_.robot.joints()[static_cast<std::size_t>(j)];
       if (q[j] < joint.lower || q[j] > joint.upper) {
         ++counts.joint_limit[j];
-        return make_rung();
+        return;
       }
     }
     if (is_clear(q, counts)) add(wrapped(q), 0);
-    Rung rung = make_rung();
-    rung.lower = rung.upper = q;
-    return rung;
   }
 
   void add_sample(const Pose& tcp, double cost, SampleCounts& counts) {

@@ -1,7 +1,11 @@
 #include "graph/sampling_grid.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "wristwise/error.hpp"
 
 namespace wristwise {
 
@@ -9,6 +13,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDefaultFreeStep = 10 * kPi / 180;
+constexpr double kMostPostures = 1e6;
 
 /// ceil, but a quotient that is whole up to round-off counts as whole.
 int intervals(double width, double step) {
@@ -21,6 +26,56 @@ std::vector<double> free_samples(double step) {
   samples.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) samples.push_back(-kPi + k * 2 * kPi / count);
   return samples;
+}
+
+/// Every point of the grid with every sample of one coordinate.
+template <class Point>
+void multiply(std::vector<Point>& grid, Eigen::Index coordinate,
+              const std::vector<double>& samples) {
+  std::vector<Point> product;
+  product.reserve(grid.size() * samples.size());
+  for (const Point& partial : grid) {
+    for (const double sample : samples) {
+      product.push_back(partial);
+      product.back()[coordinate] = sample;
+    }
+  }
+  grid = std::move(product);
+}
+
+void check_joint_steps(const std::vector<double>& step, Eigen::Index joints) {
+  if (!step.empty() && static_cast<Eigen::Index>(step.size()) != joints)
+    throw InvalidInput("graph.samples.joints", fmt::format("{} steps", step.size()),
+                       fmt::format("one per joint, {}, or none", joints));
+  for (const double value : step) {
+    if (!(value >= 0))
+      throw InvalidInput("graph.samples.joints", fmt::format("{} is no step", value),
+                         "0 or more, rad or m");
+  }
+}
+
+/// Both ends and the middle are exactly those of the range.
+std::vector<double> joint_samples(double lower, double upper, double nominal, double step) {
+  if (lower == upper) return {lower};
+  std::vector<double> samples = coordinate_samples(lower - nominal, upper - nominal, step);
+  for (double& sample : samples) sample += nominal;
+  samples.front() = lower;
+  samples.back() = upper;
+  return samples;
+}
+
+/// Checked before the samples are made: a small step would fill the memory.
+void check_grid_size(const JointBox& box, const std::vector<double>& step) {
+  double count = 1;
+  for (Eigen::Index j = 0; j < box.lower.size(); ++j) {
+    const double s = step.empty() ? 0 : step[static_cast<std::size_t>(j)];
+    const double width = box.upper[j] - box.lower[j];
+    if (width > 0) count *= s > 0 ? width / s + 1 : 3;
+  }
+  if (!(count <= kMostPostures))
+    throw InvalidInput("graph.samples.joints",
+                       fmt::format("a joint waypoint has about {:.3g} samples", count),
+                       "at most a million: larger steps, or ranges for fewer joints");
 }
 
 }  // namespace
@@ -75,16 +130,20 @@ std::vector<Vector6> waypoint_grid(const ToleranceBox& box, const GraphOptions& 
 std::vector<Vector6> sampling_grid(const ToleranceBox& box, const Vector6& step) {
   std::vector<Vector6> grid = {Vector6::Zero()};
   for (int k = 0; k < 6; ++k) {
-    const auto samples = coordinate_samples(box.lower[k], box.upper[k], step[k]);
-    std::vector<Vector6> product;
-    product.reserve(grid.size() * samples.size());
-    for (const Vector6& partial : grid) {
-      for (const double sample : samples) {
-        product.push_back(partial);
-        product.back()[k] = sample;
-      }
-    }
-    grid = std::move(product);
+    multiply(grid, k, coordinate_samples(box.lower[k], box.upper[k], step[k]));
+  }
+  return grid;
+}
+
+std::vector<JointVector> joint_grid(const JointBox& box, const std::vector<double>& step) {
+  const Eigen::Index joints = box.lower.size();
+  check_joint_steps(step, joints);
+  check_grid_size(box, step);
+  const JointVector nominal = box.nominal();
+  std::vector<JointVector> grid = {nominal};
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    const double s = step.empty() ? 0 : step[static_cast<std::size_t>(j)];
+    multiply(grid, j, joint_samples(box.lower[j], box.upper[j], nominal[j], s));
   }
   return grid;
 }

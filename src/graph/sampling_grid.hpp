@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "wristwise/joint_box.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/tolerance.hpp"
 
@@ -22,5 +23,12 @@ std::vector<Vector6> waypoint_grid(const ToleranceBox& box, const GraphOptions& 
 
 /// The product of the samples of all coordinates, the last coordinate running fastest.
 std::vector<Vector6> sampling_grid(const ToleranceBox& box, const Vector6& step);
+
+/// The postures of a joint waypoint: the product of the samples of all joints, the last joint
+/// running fastest. Each range is sampled like a bounded coordinate, with its middle for 0.
+/// @param step rad or m, one per joint, 0 for the default; empty: all 0
+/// @throws InvalidInput for another number of steps than of joints, a step that is no number or
+/// negative, or more than a million samples
+std::vector<JointVector> joint_grid(const JointBox& box, const std::vector<double>& step);
 
 }  // namespace wristwise

@@ -37,24 +37,38 @@ void read_limit(const ConfigReader& reader, const std::string& key, Quantity qua
                 double& limit) {
   const auto value = reader.find(key);
   if (!value) return;
-  limit = value->is_word("off") ? std::numeric_limits<double>::infinity()
-                                : value->positive(quantity);
+  limit =
+      value->is_word("off") ? std::numeric_limits<double>::infinity() : value->positive(quantity);
 }
 
-Vector6 read_samples(const ConfigReader& reader) {
-  reader.expect_keys(coordinate_keys());
-  Vector6 step = Vector6::Zero();
+/// One step for all joints, or a list.
+std::vector<double> read_joint_steps(const ConfigReader& reader, const Robot& robot) {
+  const auto count = static_cast<std::size_t>(robot.joint_count());
+  std::vector<ConfigReader> steps(count, reader);
+  if (reader.is_list())
+    steps = reader.items(count, fmt::format("a step or a list of {}, one per joint", count));
+  std::vector<double> result;
+  for (std::size_t j = 0; j < count; ++j)
+    result.push_back(steps[j].not_negative(joint_quantity(robot, j)));
+  return result;
+}
+
+void read_samples(const ConfigReader& reader, const Robot& robot, GraphOptions& graph) {
+  std::vector<std::string> keys = coordinate_keys();
+  keys.emplace_back("joints");
+  reader.expect_keys(keys);
   for (int i = 0; i < 6; ++i)
     if (const auto value = find_coordinate(reader, i))
-      step[i] = value->positive(coordinate_quantity(i));
-  return step;
+      graph.step[i] = value->positive(coordinate_quantity(i));
+  if (const auto joints = reader.find("joints"))
+    graph.joint_step = read_joint_steps(*joints, robot);
 }
 
 }  // namespace
 
 CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
-  reader.expect_keys({"joint_motion", "acceleration", "jerk", "euler", "joint_weights", "steps",
-                      "singularity"});
+  reader.expect_keys(
+      {"joint_motion", "acceleration", "jerk", "euler", "joint_weights", "steps", "singularity"});
   CostOptions cost;
   read_weight(reader, "joint_motion", cost.joint_motion);
   read_weight(reader, "acceleration", cost.acceleration);
@@ -73,12 +87,12 @@ CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
   return cost;
 }
 
-GraphOptions read_graph(const ConfigReader& reader) {
+GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
   reader.expect_keys({"samples", "automatic_samples", "coarse_to_fine", "turns", "max_stray",
                       "max_tcp_step", "max_tcp_turn", "collision_checks", "planner",
                       "sparse_deviation", "seeds", "seed_separation"});
   GraphOptions graph;
-  if (const auto samples = reader.find("samples")) graph.step = read_samples(*samples);
+  if (const auto samples = reader.find("samples")) read_samples(*samples, robot, graph);
   if (const auto turns = reader.find("turns"))
     graph.turns = turns->choice({"all", "principal"}) == "all" ? Turns::all : Turns::principal;
   if (const auto samples = reader.find("automatic_samples")) {
@@ -91,10 +105,11 @@ GraphOptions read_graph(const ConfigReader& reader) {
   read_limit(reader, "max_tcp_step", Quantity::length, graph.max_tcp_step);
   read_limit(reader, "max_tcp_turn", Quantity::angle, graph.max_tcp_turn);
   if (const auto checks = reader.find("collision_checks"))
-    graph.collision_checks =
-        checks->choice({"lazy", "eager"}) == "lazy" ? CollisionChecks::lazy : CollisionChecks::eager;
+    graph.collision_checks = checks->choice({"lazy", "eager"}) == "lazy" ? CollisionChecks::lazy
+                                                                         : CollisionChecks::eager;
   if (const auto planner = reader.find("planner"))
-    graph.planner = planner->choice({"dense", "sparse"}) == "dense" ? Planner::dense : Planner::sparse;
+    graph.planner =
+        planner->choice({"dense", "sparse"}) == "dense" ? Planner::dense : Planner::sparse;
   if (const auto deviation = reader.find("sparse_deviation"))
     graph.sparse_deviation = deviation->positive(Quantity::angle);
   if (const auto seeds = reader.find("seeds")) graph.seeds = seeds->whole_number(1);

@@ -29,6 +29,9 @@ struct RobotSection {
 };
 RobotSection read_robot(const ConfigReader& reader);
 
+/// Of the values of a joint, by its index.
+Quantity joint_quantity(const Robot& robot, std::size_t joint);
+
 /// @param reader empty where the file has no scene
 Scene read_scene(const std::optional<ConfigReader>& reader, const Robot& robot,
                  const Packages& packages);
@@ -36,7 +39,7 @@ Scene read_scene(const std::optional<ConfigReader>& reader, const Robot& robot,
 Task read_task(const ConfigReader& reader, const Robot& robot);
 
 CostOptions read_cost(const ConfigReader& reader, const Robot& robot);
-GraphOptions read_graph(const ConfigReader& reader);
+GraphOptions read_graph(const ConfigReader& reader, const Robot& robot);
 RefineOptions read_refine(const ConfigReader& reader);
 
 }  // namespace wristwise

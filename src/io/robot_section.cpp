@@ -31,4 +31,8 @@ RobotSection read_robot(const ConfigReader& reader) {
   return section;
 }
 
+Quantity joint_quantity(const Robot& robot, std::size_t joint) {
+  return robot.joints()[joint].type == JointType::prismatic ? Quantity::length : Quantity::angle;
+}
+
 }  // namespace wristwise

@@ -28,16 +28,28 @@ ArcSegment read_arc(const ConfigReader& reader, const Pose& part) {
           reader.at("angle").quantity(Quantity::angle)};
 }
 
+/// A value, or [lower, upper].
+void read_joint_value(const ConfigReader& reader, Quantity quantity, double& lower, double& upper) {
+  if (!reader.is_list()) {
+    lower = upper = reader.quantity(quantity);
+    return;
+  }
+  const auto bounds = reader.items(2, "a value or [lower, upper]");
+  lower = bounds[0].quantity(quantity);
+  upper = bounds[1].quantity(quantity);
+  if (lower > upper) reader.fail("the lower bound is above the upper", "[lower, upper]");
+}
+
 JointListSegment read_joint_list(const ConfigReader& reader, const Robot& robot) {
   JointListSegment list;
   for (const ConfigReader& item : reader.items()) {
     const auto count = static_cast<std::size_t>(robot.joint_count());
     const auto values = item.items(count, fmt::format("{} joint values", count));
-    JointVector posture(robot.joint_count());
+    JointBox posture(JointVector::Zero(robot.joint_count()));
     for (std::size_t j = 0; j < count; ++j) {
-      const bool prismatic = robot.joints()[j].type == JointType::prismatic;
-      posture[static_cast<Eigen::Index>(j)] =
-          values[j].quantity(prismatic ? Quantity::length : Quantity::angle);
+      const auto index = static_cast<Eigen::Index>(j);
+      read_joint_value(values[j], joint_quantity(robot, j), posture.lower[index],
+                       posture.upper[index]);
     }
     list.postures.push_back(posture);
     list.where.push_back(item.where());
@@ -64,7 +76,11 @@ Segment read_segment(const ConfigReader& reader, const Pose& part, const Toleran
   const ConfigReader shape = reader.at(given[0]);
   segment.where = shape.where();
   segment.tolerance = tolerance;
-  if (const auto own = reader.find("tolerance")) segment.tolerance = read_tolerance(*own, {});
+  if (const auto own = reader.find("tolerance")) {
+    if (given[0] == "joints")
+      own->fail("joint waypoints have no tolerance box", "a range [lower, upper] for a joint");
+    segment.tolerance = read_tolerance(*own, {});
+  }
   if (given[0] == "line")
     segment.shape = read_line(shape, part);
   else if (given[0] == "arc")

@@ -8,11 +8,27 @@ namespace {
 
 using Kind = PointConstraint::Kind;
 
+constexpr double kRangeMargin = 1e-6;  // rad or m
+
 void add_box_rows(PointConstraint& point) {
   for (int k = 0; k < 6; ++k) {
     if (point.tolerance.is_free(k)) continue;
     point.rows.push_back(
         {Kind::deviation, k, {point.tolerance.lower[k], point.tolerance.upper[k], 0}});
+  }
+}
+
+/// A joint is kept inside its range by a margin, as with joint limits (F16). A range that has no
+/// room for that is its middle.
+AugmentedRow joint_bounds(double lower, double upper, double nominal) {
+  if (upper - lower <= 2 * kRangeMargin) return {nominal, nominal, 0};
+  return {lower + kRangeMargin, upper - kRangeMargin, 0};
+}
+
+void add_joint_rows(const JointBox& box, PointConstraint& point) {
+  const JointVector nominal = box.nominal();
+  for (int j = 0; j < nominal.size(); ++j) {
+    point.rows.push_back({Kind::joint, j, joint_bounds(box.lower[j], box.upper[j], nominal[j])});
   }
 }
 
@@ -30,13 +46,10 @@ PointConstraint constraint_at_waypoint(const Waypoint& waypoint, const SplineBas
   point.basis = basis.at(waypoint.time);
   point.frame = waypoint.frame;
   point.tolerance = waypoint.tolerance;
-  if (!waypoint.joints) {
+  if (waypoint.joints) {
+    add_joint_rows(*waypoint.joints, point);
+  } else {
     add_box_rows(point);
-    return point;
-  }
-  for (int j = 0; j < waypoint.joints->size(); ++j) {
-    const double q = (*waypoint.joints)[j];
-    point.rows.push_back({Kind::joint, j, {q, q, 0}});
   }
   return point;
 }

@@ -9,7 +9,8 @@
 
 namespace wristwise {
 
-/// What must hold at one time of the motion: the tolerance box, a given posture, clearances.
+/// What must hold at one time of the motion: the tolerance box, the ranges of a joint waypoint,
+/// clearances.
 struct PointConstraint {
   enum class Kind { deviation, joint, clearance };
   struct Row {
@@ -33,7 +34,7 @@ struct PointValues {
   Eigen::MatrixXd jacobian;  ///< rows x joints
 };
 
-/// At a waypoint: its posture where it is given, else its tolerance box.
+/// At a waypoint: the ranges of its joints where they are given, else its tolerance box.
 PointConstraint constraint_at_waypoint(const Waypoint& waypoint, const SplineBasis& basis);
 
 /// Between waypoints, on the stretch that ends at waypoint `interval` + 1: the box widened by

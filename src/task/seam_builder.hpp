@@ -28,8 +28,9 @@ struct PoseListSegment {
   std::vector<double> times;       ///< s, increasing; empty: by the speed
   std::vector<std::string> where;  ///< one per pose
 };
+/// Joint waypoints, cut to the joint limits; moves between them are timed by the nominal postures.
 struct JointListSegment {
-  std::vector<JointVector> postures;
+  std::vector<JointBox> postures;
   std::vector<std::string> where;  ///< one per posture
 };
 

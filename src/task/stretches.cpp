@@ -86,8 +86,7 @@ class Layout {
     if (list.postures.empty())
       throw InvalidInput(segment_where_, "no joint waypoints", "at least one");
     for (std::size_t i = 0; i < list.postures.size(); ++i) {
-      check_posture(list.postures[i], list.where[i]);
-      arrive_at_posture(list.postures[i], list.where[i]);
+      arrive_at_posture(cut_to_limits(robot_, list.postures[i], list.where[i]), list.where[i]);
     }
   }
 
@@ -112,8 +111,8 @@ class Layout {
     joints_.reset();
   }
 
-  void arrive_at_posture(const JointVector& posture, const std::string& where) {
-    const Pose pose = tcp_pose(robot_, posture);
+  void arrive_at_posture(const JointBox& posture, const std::string& where) {
+    const Pose pose = tcp_pose(robot_, posture.nominal());
     if (started_) {
       move_to(pose, posture, where);
     } else {
@@ -125,27 +124,14 @@ class Layout {
     joints_ = posture;
   }
 
-  void check_posture(const JointVector& posture, const std::string& where) const {
-    if (posture.size() != robot_.joint_count())
-      throw InvalidInput(where, fmt::format("{} joint values", posture.size()),
-                         fmt::format("{}", robot_.joint_count()));
-    for (int j = 0; j < posture.size(); ++j) {
-      const Joint& joint = robot_.joints()[static_cast<std::size_t>(j)];
-      if (posture[j] < joint.lower || posture[j] > joint.upper)
-        throw InvalidInput(where,
-                           fmt::format("{} = {} is outside its limits", joint.name, posture[j]),
-                           fmt::format("{} to {}", joint.lower, joint.upper));
-    }
-  }
-
-  void move_to(const Pose& pose, const std::optional<JointVector>& posture,
-               const std::string& where) {
+  void move_to(const Pose& pose, const std::optional<JointBox>& posture, const std::string& where) {
     Stretch stretch = next_stretch(SeamPiece::Kind::move, where);
     stretch.piece.to = pose;
     stretch.end_joints = posture;
     if (joints_ && posture)
-      stretch.least_duration =
-          ((*posture - *joints_).array().abs() / robot_.velocity_limits().array()).maxCoeff();
+      stretch.least_duration = ((posture->nominal() - joints_->nominal()).array().abs() /
+                                robot_.velocity_limits().array())
+                                   .maxCoeff();
     if (stretch.piece.length() < kLeastLength && stretch.least_duration < kLeastTime)
       fail_repeated(where,
                     "a joint waypoint away from the one before, so that the move takes time");
@@ -178,8 +164,8 @@ class Layout {
   std::string segment_where_;
   std::size_t segments_ = 0;  // begun so far
   bool started_ = false;
-  Pose pose_ = Pose::Identity();       // where the path has come to
-  std::optional<JointVector> joints_;  // and in which posture, where it is given
+  Pose pose_ = Pose::Identity();    // where the path has come to
+  std::optional<JointBox> joints_;  // and in which posture, where it is given
 };
 
 }  // namespace

@@ -10,10 +10,10 @@ namespace wristwise {
 
 /// A piece of the seam before it is timed and cut.
 struct Stretch {
-  SeamPiece piece;                        ///< its times are not set yet
-  std::optional<double> duration;         ///< s, where the input prescribes it
-  double least_duration = 0;              ///< s, of a move between two postures
-  std::optional<JointVector> end_joints;  ///< where it ends at a joint waypoint
+  SeamPiece piece;                     ///< its times are not set yet
+  std::optional<double> duration;      ///< s, where the input prescribes it
+  double least_duration = 0;           ///< s, of a move between two nominal postures
+  std::optional<JointBox> end_joints;  ///< where it ends at a joint waypoint
   std::size_t segment = 0;
   std::string where;
 };
@@ -21,7 +21,7 @@ struct Stretch {
 struct Stretches {
   double start_time = 0;  ///< s
   Pose start = Pose::Identity();
-  std::optional<JointVector> start_joints;
+  std::optional<JointBox> start_joints;
   std::vector<Stretch> stretches;
 };
 

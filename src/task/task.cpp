@@ -77,4 +77,11 @@ std::optional<ToleranceBox> Task::tolerance_between(std::size_t interval) const 
   return waypoints[interval + 1].tolerance;
 }
 
+void validate_joint_waypoints(const Task& task, const Robot& robot) {
+  for (std::size_t i = 0; i < task.waypoints.size(); ++i) {
+    if (const auto& joints = task.waypoints[i].joints)
+      cut_to_limits(robot, *joints, "waypoint " + std::to_string(i));
+  }
+}
+
 }  // namespace wristwise

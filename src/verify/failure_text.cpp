@@ -24,9 +24,15 @@ std::string coverage(double first, double last, double start, double end) {
                      last, start, end);
 }
 
-std::string posture(std::size_t waypoint, double time, double error) {
-  return fmt::format("waypoint {} ({:.4g} s): {:.3g} off the posture that is given", waypoint, time,
-                     error);
+std::string posture(std::size_t waypoint, double time, const std::string& joint, double error) {
+  return fmt::format("waypoint {} ({:.4g} s): {} is {:.3g} off the posture that is given", waypoint,
+                     time, joint, error);
+}
+
+std::string joint_range(std::size_t waypoint, double time, const std::string& joint, double excess,
+                        double lower, double upper) {
+  return fmt::format("waypoint {} ({:.4g} s): {} is {:.3g} outside its range [{:.6g}, {:.6g}]",
+                     waypoint, time, joint, excess, lower, upper);
 }
 
 std::string waypoint_box(std::size_t waypoint, double time, int coordinate, double excess) {

@@ -8,7 +8,9 @@ namespace wristwise::text {
 /// One line for each way a trajectory can fail: what, where, by how much. Times in s; excesses in m
 /// for coordinates 0-2, rad for 3-5.
 std::string coverage(double first, double last, double start, double end);
-std::string posture(std::size_t waypoint, double time, double error);
+std::string posture(std::size_t waypoint, double time, const std::string& joint, double error);
+std::string joint_range(std::size_t waypoint, double time, const std::string& joint, double excess,
+                        double lower, double upper);
 std::string waypoint_box(std::size_t waypoint, double time, int coordinate, double excess);
 std::string between_box(double time, int coordinate, double excess);
 std::string skipped_waypoint(std::size_t waypoint, double time, int coordinate, double excess);

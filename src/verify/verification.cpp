@@ -56,7 +56,7 @@ class Verifier {
     }
   }
 
-  /// Excess of the TCP over a box, and over a given posture where the waypoint has one.
+  /// Of the TCP over the waypoint's box.
   Vector6 excess_at(const Waypoint& waypoint, const JointVector& q) const {
     return box_excess(waypoint.tolerance,
                       deviation(waypoint.tolerance, waypoint.frame, tcp_pose(robot_, q)));
@@ -80,9 +80,27 @@ class Verifier {
     }
   }
 
+  /// How far beyond what is accepted each joint of a joint waypoint is; negative inside. A range is
+  /// held like a joint limit; a single value, or the middle of a range narrower than that, to the
+  /// angle tolerance.
+  JointVector posture_excess(const JointBox& given, const JointVector& q) const {
+    const JointVector off = (q - given.nominal()).cwiseAbs().array() - options_.angle_tolerance;
+    const JointVector outside =
+        (given.lower - q).cwiseMax(q - given.upper).array() - options_.joint_limit_tolerance;
+    return off.cwiseMin(outside);
+  }
+
   void check_given_posture(std::size_t i, const Waypoint& waypoint, const JointVector& q) {
-    const double error = (q - *waypoint.joints).cwiseAbs().maxCoeff();
-    if (error > options_.angle_tolerance) fail(text::posture(i, waypoint.time, error));
+    const JointBox& given = *waypoint.joints;
+    int joint = 0;
+    const double beyond = posture_excess(given, q).maxCoeff(&joint);
+    if (beyond <= 0) return;
+    const std::string& name = robot_.joints()[static_cast<std::size_t>(joint)].name;
+    const double lower = given.lower[joint], upper = given.upper[joint];
+    fail(lower == upper
+             ? text::posture(i, waypoint.time, name, std::abs(q[joint] - lower))
+             : text::joint_range(i, waypoint.time, name,
+                                 std::max(lower - q[joint], q[joint] - upper), lower, upper));
   }
 
   void check_between(std::size_t i) {
@@ -255,12 +273,14 @@ class Verifier {
 Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
                     const JointPath& path, const VerificationOptions& options) {
   validate(path, clearance->robot().joint_count(), "path");
+  validate_joint_waypoints(task, clearance->robot());
   return Verifier(task, clearance, PointMotion(path), options).run();
 }
 
 Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
                     const Trajectory& trajectory, const VerificationOptions& options) {
   validate(trajectory.waypoints(), clearance->robot().joint_count(), "trajectory");
+  validate_joint_waypoints(task, clearance->robot());
   return Verifier(task, clearance, CurveMotion(trajectory), options).run();
 }
 
