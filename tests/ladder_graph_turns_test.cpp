@@ -226,6 +226,22 @@ TEST(LeastCostPathWithTurns, ChecksTheHalfTurnThatItTakes) {
   }
 }
 
+TEST(LeastCostPathWithTurns, TakesTheHalfTurnThatIsClearAfterATurn) {
+  LadderDice dice(1);
+  LadderInstance instance{{}, dice.rules(3, 1)};
+  for (const double value : {-3.0, 3.0, -1.0}) {
+    instance.rungs.push_back(dice.rung(1, 1));
+    instance.rungs.back().positions(0, 0) = value;
+  }
+  instance.rules.period.setConstant(8);
+  instance.rules.lower.setConstant(-16);
+  instance.rules.upper.setConstant(16);
+  instance.rules.is_clear = [](int, std::size_t, const JointVector& from, const JointVector& to) {
+    return to[0] - from[0] != -4;
+  };
+  expect_optimum(instance, solve(instance));
+}
+
 TEST(LeastCostPathWithTurns, AddsCostsThatDependOnTheTurns) {
   for (unsigned seed = 0; seed < 150; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
