@@ -148,6 +148,29 @@ TEST(LeastCostPathWithTurns, StartsAtTheCopyThatIsAskedFor) {
   }
 }
 
+/// A start and an end that are fixed, with a seam between them that winds up a continuous joint.
+TEST(LeastCostPathWithTurns, EndsAtTheCopyThatIsAskedFor) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    LadderDice dice(seed);
+    const int rungs = 25, joints = 1 + static_cast<int>(seed % 2);
+    LadderInstance instance{dice.drifting_rungs(rungs, 3, joints, 0.2, 0.5),
+                            dice.rules(rungs, joints)};
+    make_continuous(instance, 0);
+    if (seed % 5 == 0) instance.rules.lower[0] = -1;
+    instance.rules.squared = seed % 3 == 0;
+    for (Rung* const rung : {&instance.rungs.front(), &instance.rungs.back()}) {
+      *rung = dice.rung(1, joints);
+      rung->lower = rung->upper = rung->vertex(0);
+      if (seed % 4 == 0) rung->lower[0] = rung->upper[0] += kTurn * dice.integer(0, 3);
+      if (seed % 5 == 0 && rung->lower[0] < -1) rung->lower[0] = rung->upper[0] += kTurn;
+    }
+    if (seed % 7 == 0) limit_steps(instance, dice);
+    expect_optimum(instance, solve(instance));
+    if (HasFailure()) return;
+  }
+}
+
 /// More than two turns one after the other do not fit between the limits.
 TEST(LeastCostPathWithTurns, Unwinds) {
   for (unsigned seed = 0; seed < 40; ++seed) {
