@@ -196,6 +196,21 @@ TEST(NeighbourTree, LeavesOutInfiniteKeys) {
   });
 }
 
+TEST(NeighbourTree, FindsTheOnlyPointLeft) {
+  RandomPoints dice(11);
+  for (const int size : {17, 129, 1000, 3000}) {
+    Points points = dice.scattered(size, 3, true, false);
+    NeighbourTree tree(points.positions, points.metric);
+    for (int k = 0; k < 300; ++k) {
+      const int only = dice.integer(0, size - 1);
+      points.keys.setConstant(k % 2 == 0 ? kInfinity : 100);
+      points.keys[only] = 0;
+      tree.set_keys(points.keys);
+      EXPECT_EQ(ask(tree, {scattered_target(dice, 3), {}}).index, only);
+    }
+  }
+}
+
 TEST(NeighbourTree, TakesKeysBelowZero) {
   RandomPoints dice(5);
   for (int k = 0; k < 100; ++k) {
