@@ -228,6 +228,23 @@ TEST(LeastCostPathWithTurns, GoesTheLongerWayRoundWhereTheShorterIsBlocked) {
   EXPECT_GT(infeasible, 10);
 }
 
+/// The other vertex costs more than half a turn and less than a whole one.
+TEST(LeastCostPathWithTurns, GoesALittleMoreThanHalfATurn) {
+  LadderDice dice(1);
+  LadderInstance instance{{dice.rung(1, 1), dice.rung(2, 1)}, dice.rules(2, 1)};
+  instance.rules.weight.setOnes();
+  instance.rungs[0].positions << 0;
+  instance.rungs[1].positions << -kTurn / 2 + 0.1, 1;
+  instance.rungs[0].cost.setZero();
+  instance.rungs[1].cost << 0, 0.7 * kTurn - 1;
+  instance.rules.is_clear = [](int, std::size_t, const JointVector& from, const JointVector& to) {
+    return to[0] > from[0];
+  };
+  const LadderPath path = solve(instance);
+  EXPECT_NEAR(path.cost, kTurn / 2 + 0.1, 1e-9);
+  expect_optimum(instance, path);
+}
+
 /// Half a turn costs the same either way round, and only one of the two ways may be clear.
 TEST(LeastCostPathWithTurns, ChecksTheHalfTurnThatItTakes) {
   for (unsigned seed = 0; seed < 300; ++seed) {
