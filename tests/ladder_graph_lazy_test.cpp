@@ -135,10 +135,12 @@ TEST(LazyChecks, OfConfigurationsCostLessThanEagerOnes) {
 /// A move and its copies, both ends shifted by the same turns, are asked about once.
 TEST(LazyChecks, OfMovesAreNotRepeated) {
   for (unsigned seed = 0; seed < 40; ++seed) {
-    LadderInstance instance = random_instance(2000 + seed, 6, 8, 8, 1);
+    LadderInstance instance = random_instance(2000 + seed, 5, 20, 20, 2);
+    instance.rules.lower.setConstant(-500 * kDegree);
+    instance.rules.upper.setConstant(500 * kDegree);
     block_moves(instance.rules, seed, 0.08 * static_cast<double>(seed % 12));
     Questions questions;
-    const LadderPath path = solve(recorded(instance, questions));
+    const LadderPath path = solve(recorded(instance, questions), 4);
     std::size_t asked = 0;
     for (const auto& [question, times] : questions.moves) {
       EXPECT_EQ(times, 1);
