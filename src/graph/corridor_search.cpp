@@ -82,7 +82,7 @@ CorridorSearch::Result CorridorSearch::run(bool repair_part) {
   }
   Result result;
   const std::vector<Eigen::Index> path = best_path();
-  result.found = reached_ + 1 == layers_.size();
+  result.found = !path.empty() && reached_ + 1 == layers_.size();
   for (std::size_t i = 0; i < path.size(); ++i) {
     result.vertices.push_back(layers_[i].vertex[static_cast<std::size_t>(path[i])]);
   }

@@ -22,13 +22,13 @@ bool KnownChecks::is_usable(int worker, std::size_t rung, Eigen::Index index) {
 
 KnownChecks::Move KnownChecks::move(std::size_t interval, Eigen::Index from, Eigen::Index to,
                                     const JointVector& q_from, const JointVector& q_to) const {
-  constexpr std::int64_t kDigit = 64;  // turns are few
-  Move move{from, to, 0};
+  Move move{from, to, {}};
   for (Eigen::Index j = 0; j < rules_.period.size(); ++j) {
     if (std::isinf(rules_.period[j])) continue;
-    const double without = rungs_[interval + 1].positions(to, j) - rungs_[interval].positions(from, j);
-    move.turns = kDigit * move.turns +
-                 std::lround((q_to[j] - q_from[j] - without) / rules_.period[j]);
+    const double without =
+        rungs_[interval + 1].positions(to, j) - rungs_[interval].positions(from, j);
+    move.turns[static_cast<std::size_t>(j)] =
+        static_cast<std::int16_t>(std::lround((q_to[j] - q_from[j] - without) / rules_.period[j]));
   }
   return move;
 }

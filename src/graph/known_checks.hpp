@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -29,7 +31,7 @@ class KnownChecks {
   /// A move between copies of two configurations.
   struct Move {
     Eigen::Index from = 0, to = 0;
-    std::int64_t turns = 0;  ///< of the end less those of the start
+    std::array<std::int16_t, kMaxJoints> turns{};  ///< of the end less those of the start
     bool operator==(const Move& other) const {
       return from == other.from && to == other.to && turns == other.turns;
     }
@@ -38,7 +40,10 @@ class KnownChecks {
     std::size_t operator()(const Move& move) const {
       std::uint64_t hash = static_cast<std::uint64_t>(move.from) * 0x9E3779B97F4A7C15u;
       hash = (hash ^ static_cast<std::uint64_t>(move.to)) * 0xC2B2AE3D27D4EB4Fu;
-      hash = (hash ^ static_cast<std::uint64_t>(move.turns)) * 0x165667B19E3779F9u;
+      std::array<std::uint64_t, sizeof move.turns / sizeof(std::uint64_t)> words{};
+      std::memcpy(words.data(), move.turns.data(), sizeof words);
+      for (const std::uint64_t word : words)
+        hash = (hash ^ word ^ (hash >> 29)) * 0x165667B19E3779F9u;
       return static_cast<std::size_t>(hash ^ (hash >> 29));
     }
   };

@@ -1,6 +1,7 @@
 #include "graph/ladder_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -163,7 +164,12 @@ class Search {
   }
 
   void find_with_copies() {
-    TurnCopies copies = expand_turns(rungs_, rules_);
+    if (!search_copies(rules_)) search_copies(with_limits_for_rungs());
+  }
+
+  /// false where the path cannot be shifted into the limits of joints that keep their period.
+  bool search_copies(const EdgeRules& rules) {
+    TurnCopies copies = expand_turns(rungs_, rules);
     if (rules_.vertex_cost) add_vertex_cost(copies);
     const SearchGraph graph{&copies.rungs, copies.original,
                             {rules_.weight, copies.period, rules_.squared}, &rules_};
@@ -171,13 +177,48 @@ class Search {
     path_.found = result.found;
     path_.cost = result.cost;
     path_.vertices.clear();
-    EdgeRules unlimited = rules_;
-    unlimited.lower = JointVector::Constant(rules_.weight.size(), -kInfinity);
-    unlimited.upper = JointVector::Constant(rules_.weight.size(), kInfinity);
-    path_.positions = *lift_turns(copies.rungs, unlimited, result.vertices, copies.period);
     for (std::size_t i = 0; i < result.vertices.size(); ++i) {
       path_.vertices.push_back(graph.configuration(i, result.vertices[i]));
     }
+    const auto lifted = lift_turns(copies.rungs, rules, result.vertices, copies.period);
+    if (lifted) path_.positions = *lifted;
+    return lifted.has_value();
+  }
+
+  /// Some rungs can ask for copies that the shorter way round does not reach. Limits then give
+  /// their joints copies: one turn farther from what the rungs ask for than the path found winds.
+  EdgeRules with_limits_for_rungs() const {
+    EdgeRules rules = rules_;
+    for (Eigen::Index j = 0; j < period_.size(); ++j) {
+      if (std::isfinite(rules.lower[j]) && std::isfinite(rules.upper[j])) continue;
+      double lowest = kInfinity, highest = -kInfinity;
+      for (const Rung& rung : rungs_) {
+        if (rung.lower.size() == 0 || period_[j] == kInfinity) continue;
+        for (const double limit : {rung.lower[j], rung.upper[j]}) {
+          if (std::isinf(limit)) continue;
+          lowest = std::min(lowest, limit);
+          highest = std::max(highest, limit);
+        }
+      }
+      if (lowest > highest) continue;
+      const double farther = winding(j) + period_[j];
+      if (std::isinf(rules.lower[j])) rules.lower[j] = lowest - farther;
+      if (std::isinf(rules.upper[j])) rules.upper[j] = highest + farther;
+    }
+    return rules;
+  }
+
+  /// From the lowest to the highest value of a joint on the path, going the shorter way round.
+  double winding(Eigen::Index joint) const {
+    double value = 0, lowest = 0, highest = 0;
+    for (std::size_t i = 1; i < path_.vertices.size(); ++i) {
+      value += std::remainder(rungs_[i].positions(path_.vertices[i], joint) -
+                                  rungs_[i - 1].positions(path_.vertices[i - 1], joint),
+                              period_[joint]);
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+    return highest - lowest;
   }
 
   void add_vertex_cost(TurnCopies& copies) const {

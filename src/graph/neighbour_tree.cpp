@@ -1,6 +1,7 @@
 #include "graph/neighbour_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "vector_clones.hpp"
@@ -21,7 +22,7 @@ constexpr int kLeaf = NeighbourTree::kLeaf;
 using Lanes = double __attribute__((vector_size(64)));
 static_assert(kFan == 8 && kLeaf == 16);
 
-/// Bounds and totals are rounded differently by this much at most, relative to 1 + the total.
+/// Bounds and totals are rounded differently by this much at most, relative to 1 + |total|.
 constexpr double kRounding = 1e-12;
 
 struct View {
@@ -121,7 +122,7 @@ void search(const View& tree, const Query& query, NeighbourTree::Nearest& best,
   stack[size++] = {-kInfinity, 0};
   while (size > 0) {
     const Pending next = stack[--size];
-    const double worth = best.total + kRounding * (1 + best.total);
+    const double worth = best.total + kRounding * (1 + std::abs(best.total));
     if (next.bound > worth) continue;
     if (next.id < 0) {
       ++leaves;

@@ -94,11 +94,15 @@ std::optional<std::vector<JointVector>> lift_turns(const std::vector<Rung>& rung
                                                    const std::vector<Eigen::Index>& vertices,
                                                    const JointVector& period) {
   std::vector<JointVector> path;
+  JointVector turns = JointVector::Zero(period.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     JointVector q = rungs[i].vertex(vertices[i]);
     for (Eigen::Index j = 0; i > 0 && j < q.size(); ++j) {
       if (period[j] == kInfinity) continue;
-      q[j] += period[j] * std::round((path.back()[j] - q[j]) / period[j]);
+      // Not from the path so far: half a turn must go the way round that the search has checked.
+      const double back = rungs[i - 1].positions(vertices[i - 1], j) - q[j];
+      turns[j] += std::round(back / period[j]);
+      q[j] += period[j] * turns[j];
     }
     path.push_back(q);
   }
