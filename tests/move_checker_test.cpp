@@ -76,7 +76,7 @@ TEST(MoveChecker, MeasuresPosturesAsTheCheckerDoes) {
     const JointVector q = posture(value(random), value(random), value(random));
     own.set_posture(q);
     const bool expected = !own.first_below(0.03);
-    EXPECT_EQ(moves.has_clearance(i % 2, q), expected);
+    EXPECT_EQ(moves.has_clearance(i % 2, 1, q), expected);
     if (expected) ++clear;
   }
   EXPECT_GT(clear, 100);

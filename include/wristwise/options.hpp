@@ -65,7 +65,8 @@ struct GraphOptions {
   Planner planner = Planner::dense;
   /// rad or m; sparse: how far an interpolated posture may be from the nearest one in tolerance.
   double sparse_deviation = 0.05;
-  int seeds = 1;  ///< distinct paths to look for, the best first
+  bool try_relaxations = true;  ///< where there is no path, look for the smallest that would help
+  int seeds = 1;                ///< distinct paths to look for, the best first
   /// rad or m; usable postures of a waypoint that differ by less in every joint are neighbours.
   /// Paths are distinct where at some waypoint no chain of neighbours joins them: other branches of
   /// the robot, other sides of an obstacle. Whole turns are not counted.

@@ -103,9 +103,11 @@ class GraphPlanner {
   void look_for_help() {
     const Stopwatch watch(timing_.search);
     const auto& counts = plan_.diagnosis->counts;
-    const std::string help =
-        smallest_relaxation(input_, task_, *plan_.diagnosis->waypoint,
-                            counts && counts->too_fast > 0, epsilon_, monitor_);
+    std::string help;
+    if (input_.options.try_relaxations) {
+      help = smallest_relaxation(input_, task_, *plan_.diagnosis->waypoint,
+                                 counts && counts->too_fast > 0, epsilon_, monitor_);
+    }
     if (!help.empty()) plan_.diagnosis->suggestion = help;
     const std::size_t reached = plan_.seeds.empty() ? 0 : plan_.seeds.front().path.size();
     plan_.statistics.pieces =

@@ -33,8 +33,8 @@ void GraphSearch::set_filters(const SamplingInput& input, const Task& task, Move
   }
   const bool measured = !input.clearance->pairs().empty();
   if (input.options.collision_checks == CollisionChecks::lazy && measured) {
-    rules_.is_usable = [this](int worker, std::size_t, const JointVector& q) {
-      return moves_.has_clearance(worker, q);
+    rules_.is_usable = [this](int worker, std::size_t rung, const JointVector& q) {
+      return moves_.has_clearance(worker, rung, q);
     };
   }
   if (moves == Moves::unchecked || !(measured || moves_.limits().any())) return;

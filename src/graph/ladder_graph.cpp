@@ -164,7 +164,9 @@ class Search {
   }
 
   void find_with_copies() {
-    if (!search_copies(rules_)) search_copies(with_limits_for_rungs());
+    if (search_copies(rules_) || search_copies(with_limits_for_rungs())) return;
+    path_.found = false;
+    path_.vertices.clear();
   }
 
   /// false where the path cannot be shifted into the limits of joints that keep their period.

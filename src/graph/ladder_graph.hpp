@@ -63,6 +63,7 @@ struct LadderPath {
 /// Configurations and moves are checked lazily: only those of the best path found, which is
 /// repaired until all of it can be used.
 /// The result does not depend on the number of threads.
+/// A joint without limits goes the shorter way round at each step, even where that is blocked.
 /// @pre every rung has a vertex, and every vertex has a copy between the limits
 /// @param known what is known of configurations and moves, to be shared by searches on rungs with
 /// the same positions; null: nothing

@@ -21,7 +21,8 @@ MoveChecker::MoveChecker(const Task& task, const std::shared_ptr<const Clearance
       limits_(limits),
       required_(clearance->clearance()),
       epsilon_(epsilon) {
-  for (int i = 0; i < threads; ++i) workers_.push_back({ClearanceChecker(clearance)});
+  for (int i = 0; i < threads; ++i) workers_.push_back({ClearanceChecker(clearance), 0, {}, -1, 0.5});
+  near_pairs_.assign(task.waypoints.size(), -1);
   for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
     stretches_.push_back(stretch(task, i));
   }
@@ -48,10 +49,12 @@ bool MoveChecker::is_clear(int worker, std::size_t interval, const JointVector& 
   if (limits_.stray < kInfinity && stray(interval, from, to) > limits_.stray) return false;
   Worker& own = workers_[static_cast<std::size_t>(worker)];
   if (own.checker.model().pairs().empty()) return true;
-  if (is_blocked_as_before(own, from, to)) return false;
+  if (is_blocked_as_before(own, interval, from, to)) return false;
   const SweptClearance swept =
       check_motion(own.checker, StraightMove(from, to), required_, epsilon_);
   if (!swept.clear) {
+    own.interval = interval;
+    own.to = to;
     own.pair = swept.pair;
     own.s = swept.s;
   }
@@ -66,16 +69,17 @@ bool MoveChecker::steps_too_far(const JointVector& from, const JointVector& to) 
 }
 
 /// Postures that are too near are mostly so for the same pair.
-bool MoveChecker::has_clearance(int worker, const JointVector& q) {
+bool MoveChecker::has_clearance(int worker, std::size_t waypoint, const JointVector& q) {
   Worker& own = workers_[static_cast<std::size_t>(worker)];
   if (own.checker.model().pairs().empty()) return true;
   own.checker.set_posture(q);
-  if (own.posture_pair >= 0 && own.checker.lower_bound(own.posture_pair) < required_ &&
-      own.checker.distance(own.posture_pair).distance < required_) {
+  int& pair = near_pairs_[waypoint];
+  if (pair >= 0 && own.checker.lower_bound(pair) < required_ &&
+      own.checker.distance(pair).distance < required_) {
     return false;
   }
   const auto hit = own.checker.first_below(required_);
-  if (hit) own.posture_pair = hit->pair;
+  if (hit) pair = hit->pair;
   return !hit;
 }
 
@@ -91,12 +95,12 @@ double MoveChecker::stray(std::size_t interval, const JointVector& from,
   return largest;
 }
 
-/// Moves between the same two waypoints are mostly blocked by the same pair at about the same
+/// Moves to the same posture are mostly blocked by the same pair at about the same
 /// place. A distance below required - epsilon rules out that check_motion could show the move to be
 /// clear, so this is a short cut to the same answer.
-bool MoveChecker::is_blocked_as_before(Worker& worker, const JointVector& from,
-                                       const JointVector& to) const {
-  if (worker.pair < 0) return false;
+bool MoveChecker::is_blocked_as_before(Worker& worker, std::size_t interval,
+                                       const JointVector& from, const JointVector& to) const {
+  if (worker.pair < 0 || worker.interval != interval || worker.to != to) return false;
   worker.checker.set_posture(from + worker.s * (to - from));
   const double limit = required_ - epsilon_;
   return worker.checker.lower_bound(worker.pair) < limit &&

@@ -23,8 +23,9 @@ class MoveChecker {
   MoveChecker(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
               const Limits& limits, double epsilon, int threads);
 
-  /// Does not depend on the worker (below `threads`), nor on what was asked before.
-  bool has_clearance(int worker, const JointVector& q);
+  /// Does not depend on the worker (below `threads`), nor on what was asked before. Threads may ask
+  /// about different waypoints.
+  bool has_clearance(int worker, std::size_t waypoint, const JointVector& q);
 
   /// The move from a posture at waypoint `interval` to one at the next.
   /// Does not depend on the worker (below `threads`), nor on what was asked before.
@@ -44,11 +45,15 @@ class MoveChecker {
  private:
   struct Worker {
     ClearanceChecker checker;
-    int pair = -1;  ///< of the last blocked move
+    // The last blocked move. Only moves to the same end are tried for the same reason first, so
+    // that the number of queries does not depend on who did what before.
+    std::size_t interval = 0;
+    JointVector to;
+    int pair = -1;
     double s = 0.5;
-    int posture_pair = -1;  ///< of the last posture that was too near
   };
-  bool is_blocked_as_before(Worker& worker, const JointVector& from, const JointVector& to) const;
+  bool is_blocked_as_before(Worker& worker, std::size_t interval, const JointVector& from,
+                            const JointVector& to) const;
 
   const Robot& robot_;
   std::vector<Worker> workers_;
@@ -58,6 +63,7 @@ class MoveChecker {
   };
   static Stretch stretch(const Task& task, std::size_t interval);
   std::vector<Stretch> stretches_;  ///< between waypoints
+  std::vector<int> near_pairs_;     ///< of the last posture of each waypoint that was too near
   Limits limits_;
   double required_;
   double epsilon_;

@@ -143,7 +143,7 @@ class SparsePlan {
       if (i < b) {
         const double s = (task_.waypoints[i].time - t0) / (t1 - t0);
         const JointVector straight = from + s * (to - from);
-        const std::optional<JointVector> projected = project(task_.waypoints[i], straight);
+        const std::optional<JointVector> projected = project(i, straight);
         if (!projected) {
           if (!failing) failing = i;
           q = straight;
@@ -160,7 +160,8 @@ class SparsePlan {
   }
 
   /// The posture in tolerance that is nearest to an interpolated one, if it is near enough.
-  std::optional<JointVector> project(const Waypoint& waypoint, const JointVector& straight) {
+  std::optional<JointVector> project(std::size_t index, const JointVector& straight) {
+    const Waypoint& waypoint = task_.waypoints[index];
     const Pose tcp = tcp_pose(input_.robot, straight);
     Vector6 e = deviation(waypoint.tolerance, waypoint.frame, tcp);
     for (int k = 0; k < 6; ++k) {
@@ -180,7 +181,7 @@ class SparsePlan {
       least = distance;
       nearest = &q;
     }
-    if (nearest == nullptr || !dense_.moves().has_clearance(0, *nearest)) return std::nullopt;
+    if (nearest == nullptr || !dense_.moves().has_clearance(0, index, *nearest)) return std::nullopt;
     return *nearest;
   }
 

@@ -90,7 +90,7 @@ CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
 GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
   reader.expect_keys({"samples", "automatic_samples", "coarse_to_fine", "turns", "max_stray",
                       "max_tcp_step", "max_tcp_turn", "collision_checks", "planner",
-                      "sparse_deviation", "seeds", "seed_separation"});
+                      "sparse_deviation", "seeds", "seed_separation", "try_relaxations"});
   GraphOptions graph;
   if (const auto samples = reader.find("samples")) read_samples(*samples, robot, graph);
   if (const auto turns = reader.find("turns"))
@@ -101,6 +101,8 @@ GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
   }
   if (const auto finer = reader.find("coarse_to_fine"))
     graph.coarse_to_fine = finer->choice({"true", "false"}) == "true";
+  if (const auto relax = reader.find("try_relaxations"))
+    graph.try_relaxations = relax->choice({"true", "false"}) == "true";
   read_limit(reader, "max_stray", Quantity::length, graph.max_stray);
   read_limit(reader, "max_tcp_step", Quantity::length, graph.max_tcp_step);
   read_limit(reader, "max_tcp_turn", Quantity::angle, graph.max_tcp_turn);

@@ -161,17 +161,18 @@ Problem random_scene(unsigned seed) {
   for (int k = 0; k < count; ++k) {
     SceneObject object;
     object.name = "object_" + std::to_string(k);
-    const Eigen::Vector3d place(0.80 + 0.14 * share(random), -0.18 + 0.36 * share(random),
-                                0.24 + 0.2 * share(random));
-    object.shapes = {{Sphere{0.01 + 0.05 * share(random)}, Pose(Eigen::Translation3d(place))}};
+    const Eigen::Vector3d place(0.78 + 0.12 * share(random), -0.18 + 0.36 * share(random),
+                                0.3 + 0.15 * share(random));
+    object.shapes = {{Sphere{0.01 + 0.02 * share(random)}, Pose(Eigen::Translation3d(place))}};
     problem.scene.objects.push_back(object);
   }
   for (std::size_t i = 0; i < problem.task.waypoints.size(); ++i) {
-    problem.task.waypoints[i].tolerance.lower[4] = -0.2;
-    problem.task.waypoints[i].tolerance.upper[4] = 0.2;
+    problem.task.waypoints[i].tolerance.lower[4] = -0.5;
+    problem.task.waypoints[i].tolerance.upper[4] = 0.5;
   }
-  problem.graph.step[4] = 0.2;
-  problem.graph.step[5] = 30 * kDegree;
+  problem.graph.step[4] = 0.1;
+  problem.graph.step[5] = 15 * kDegree;
+  problem.graph.try_relaxations = false;
   if (seed % 2 == 0) problem.cost.euler_graph = 0.1;
   return problem;
 }
@@ -179,7 +180,7 @@ Problem random_scene(unsigned seed) {
 TEST(LazyChecks, GiveTheSamePathAsEagerOnesOnRandomScenes) {
   int solved = 0;
   double lazy_checks = 0, eager_checks = 0;
-  for (unsigned seed = 0; seed < 24; ++seed) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
     Problem problem = random_scene(seed);
     problem.graph.collision_checks = CollisionChecks::lazy;
     const PlanResult lazy = plan_graph_only(problem);
@@ -198,7 +199,6 @@ TEST(LazyChecks, GiveTheSamePathAsEagerOnesOnRandomScenes) {
     eager_checks += static_cast<double>(lazy.graph.postures);
   }
   EXPECT_GE(solved, 12);
-  EXPECT_LT(solved, 24);
   EXPECT_LT(lazy_checks, 0.5 * eager_checks);
 }
 
