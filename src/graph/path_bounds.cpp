@@ -229,20 +229,21 @@ std::optional<Corridor> PathBounds::corridor(double limit, std::size_t widest) c
   std::vector<char> fits(landmarks_.size(), 1);
   std::vector<std::size_t> evaluated(static_cast<std::size_t>(threads_), 0);
   // The rungs between two landmarks, halving until none is left.
-  const auto fill = [&](auto&& self, std::size_t a, const Stop& at_a, std::size_t b,
-                        const Stop& at_b, std::size_t& count) -> bool {
-    if (b - a < 2) return true;
+  const auto fill = [&](auto&& self, std::size_t a, const Source& from, std::size_t b,
+                        const Source& to, std::size_t& count) -> bool {
     const std::size_t middle = a + (b - a) / 2;
-    auto stop =
-        between(source(a, at_a, true), source(b, at_b, false), middle, spare, widest, count);
+    auto stop = between(from, to, middle, spare, widest, count);
     if (!stop) return false;
-    const bool found = self(self, a, at_a, middle, *stop, count) &&
-                       self(self, middle, *stop, b, at_b, count);
+    const bool found =
+        (middle - a < 2 || self(self, a, from, middle, source(middle, *stop, false), count)) &&
+        (b - middle < 2 || self(self, middle, source(middle, *stop, true), b, to, count));
     corridor[middle] = std::move(stop->alive);
     return found;
   };
   parallel_for(landmarks_.size() - 1, threads_, [&](int worker, std::size_t k) {
-    fits[k] = fill(fill, landmarks_[k], stops[k], landmarks_[k + 1], stops[k + 1],
+    const std::size_t a = landmarks_[k], b = landmarks_[k + 1];
+    if (b - a < 2) return;
+    fits[k] = fill(fill, a, source(a, stops[k], true), b, source(b, stops[k + 1], false),
                    evaluated[static_cast<std::size_t>(worker)]);
   });
   evaluated_ = std::accumulate(evaluated.begin(), evaluated.end(), evaluated_);

@@ -161,9 +161,9 @@ Problem random_scene(unsigned seed) {
   for (int k = 0; k < count; ++k) {
     SceneObject object;
     object.name = "object_" + std::to_string(k);
-    const Eigen::Vector3d place(0.78 + 0.12 * share(random), -0.18 + 0.36 * share(random),
-                                0.3 + 0.15 * share(random));
-    object.shapes = {{Sphere{0.01 + 0.02 * share(random)}, Pose(Eigen::Translation3d(place))}};
+    const Eigen::Vector3d place(0.70 + 0.15 * share(random), -0.18 + 0.36 * share(random),
+                                0.35 + 0.2 * share(random));
+    object.shapes = {{Sphere{0.005 + 0.015 * share(random)}, Pose(Eigen::Translation3d(place))}};
     problem.scene.objects.push_back(object);
   }
   for (std::size_t i = 0; i < problem.task.waypoints.size(); ++i) {
@@ -270,6 +270,63 @@ TEST(Stage1, ASingularityCostKeepsTheWristAway) {
     ASSERT_EQ(away.status, Status::solved);
     EXPECT_GT(nearest(away), nearest(plain));
   }
+}
+
+/// Every way to plan gives something that passes the independent check.
+TEST(Stage1, EveryPlannerPassesTheCheck) {
+  for (const char* const name : {"known_graph", "task_b_l_profile", "task_c_wrist_singularity"}) {
+    Problem problem = shipped(name);
+    const PlanResult dense = plan_graph_only(problem);
+    ASSERT_EQ(dense.status, Status::solved) << name;
+
+    problem.graph.coarse_to_fine = true;
+    const PlanResult finer = plan_graph_only(problem);
+    EXPECT_EQ(finer.status, Status::solved) << name;
+    EXPECT_DOUBLE_EQ(finer.graph.first_cost, dense.graph.cost) << name;
+    EXPECT_LT(finer.graph.cost, dense.graph.cost) << name;
+    problem.graph.coarse_to_fine = false;
+
+    problem.graph.planner = Planner::sparse;
+    const PlanResult sparse = plan_graph_only(problem);
+    EXPECT_EQ(sparse.status, Status::solved) << name;
+    EXPECT_LT(sparse.graph.sparse_points, problem.task.waypoints.size()) << name;
+    problem.graph.planner = Planner::dense;
+
+    problem.graph.automatic_samples = 200;
+    EXPECT_EQ(plan_graph_only(problem).status, Status::solved) << name;
+  }
+}
+
+/// 30 x 3600 samples have the optimum 0.8242: coarse to fine gets below that from 30 x 360.
+TEST(KnownGraph, CoarseToFineBeatsATenTimesFinerGrid) {
+  Problem problem = shipped("known_graph");
+  problem.graph.coarse_to_fine = true;
+  EXPECT_LT(plan_graph_only(problem).graph.cost, 0.8242);
+  problem.graph.coarse_to_fine = false;
+  problem.graph.step[5] = 0.1 * kDegree;
+  EXPECT_NEAR(plan_graph_only(problem).graph.cost, 0.8242, 5e-5);
+}
+
+TEST(TaskB, NamesTheSmallestTiltThatIsEnough) {
+  Problem problem = shipped("task_b_l_profile");
+  const auto allow = [&problem](double tilt) {
+    for (Waypoint& waypoint : problem.task.waypoints) {
+      waypoint.tolerance.lower[4] = -tilt;
+      waypoint.tolerance.upper[4] = tilt;
+    }
+  };
+  allow(3 * kDegree);
+  const PlanResult result = plan_graph_only(problem);
+  EXPECT_EQ(result.status, Status::infeasible);
+  ASSERT_FALSE(result.diagnosis.empty());
+  EXPECT_NE(result.diagnosis[0].suggestion.find("ry +-5 deg instead of +-3 deg"), std::string::npos)
+      << result.diagnosis[0].suggestion;
+  ASSERT_EQ(result.graph.pieces.size(), 2U);
+  EXPECT_EQ(result.graph.pieces[0].second + 1, *result.diagnosis[0].waypoint);
+  allow(5 * kDegree);
+  EXPECT_EQ(plan_graph_only(problem).status, Status::solved);
+  allow(4 * kDegree);
+  EXPECT_EQ(plan_graph_only(problem).status, Status::infeasible);
 }
 
 }  // namespace
