@@ -30,7 +30,7 @@ std::string diagnosis_lines(const PlanResult& result) {
     text += "  " + entry.reason;
     if (entry.waypoint) text += fmt::format(" at waypoint {}", *entry.waypoint);
     text += ": " + entry.detail + "\n";
-    if (!entry.suggestion.empty()) text += "    " + entry.suggestion + "\n";
+    if (!entry.suggestion.empty()) text += "    what would help: " + entry.suggestion + "\n";
   }
   return text;
 }
@@ -38,12 +38,32 @@ std::string diagnosis_lines(const PlanResult& result) {
 std::string graph_lines(const PlanResult& result) {
   const GraphStatistics& graph = result.graph;
   if (graph.vertices == 0) return {};
-  return "graph\n" + aligned({{"vertices", fmt::format("{}", graph.vertices)},
-                              {"edges", short_number(graph.edges)},
-                              {"edges evaluated", short_number(graph.edges_evaluated)},
-                              {"collision checks", fmt::format("{}", graph.collision_checks)},
-                              {"cost", short_number(graph.cost)},
-                              {"joint motion (L1)", short_number(graph.joint_motion_l1)}});
+  std::vector<TableRow> rows = {
+      {"vertices", fmt::format("{}", graph.vertices)},
+      {"edges", short_number(graph.edges)},
+      {"edges evaluated", short_number(graph.edges_evaluated)},
+      {"postures checked", fmt::format("{} of {}", graph.postures_checked, graph.postures)},
+      {"moves checked", fmt::format("{}", graph.edges_checked)},
+      {"distance queries", fmt::format("{}", graph.collision_checks)},
+      {"cost", short_number(graph.cost)},
+      {"joint motion (L1)", short_number(graph.joint_motion_l1)},
+      {"turns, first and last", fmt::format("{} and {}", fmt::join(graph.first_turns, " "),
+                                            fmt::join(graph.last_turns, " "))}};
+  if (graph.grid_rounds > 0) {
+    rows.push_back({"coarse to fine", fmt::format("cost {} before, {} searches",
+                                                  short_number(graph.first_cost),
+                                                  graph.grid_rounds)});
+  }
+  if (graph.sparse_points > 0) {
+    rows.push_back({"sparse", fmt::format("{} waypoints planned, {} replans", graph.sparse_points,
+                                          graph.replans)});
+  }
+  for (std::size_t k = 1; k < result.seeds.size(); ++k) {
+    rows.push_back({fmt::format("path {}", k + 1),
+                    fmt::format("cost {}, differs at waypoint {}",
+                                short_number(result.seeds[k].cost), result.seeds[k].differs_at)});
+  }
+  return "graph\n" + aligned(rows);
 }
 
 std::string refine_lines(const PlanResult& result) {
@@ -86,8 +106,8 @@ std::string note_lines(const PlanResult& result) {
 
 std::string timing_line(const Timing& timing) {
   return fmt::format(
-      "time: load {:.2f} s, sampling {:.2f} s, search {:.2f} s, refine {:.2f} s, verify {:.2f} s, "
-      "total {:.2f} s\n",
+      "time: load {:.3f} s, sampling {:.3f} s, search {:.3f} s, refine {:.3f} s, verify {:.3f} s, "
+      "total {:.3f} s\n",
       timing.load, timing.sampling, timing.search, timing.refine, timing.verify, timing.total);
 }
 

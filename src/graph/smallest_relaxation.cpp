@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -134,12 +135,14 @@ class SlowerWeld : public Relaxation {
 
 class FinerSamples : public Relaxation {
  public:
+  explicit FinerSamples(const GraphOptions& options) : automatic_(options.automatic_samples) {}
+
   int steps() const override { return 2; }
   double effort(int step) const override { return 0.1 * step; }
   bool apply(int step, Trial& trial) const override {
     constexpr double kDefaultIntervals = 2;  // the ends and the nominal
     const ToleranceBox& box = trial.task.waypoints.front().tolerance;
-    trial.options.automatic_samples *= 1 << (3 * step);
+    trial.options.automatic_samples = automatic_samples(step);
     for (int k = 0; k < 6; ++k) {
       double& size = trial.options.step[k];
       if (size == 0) {
@@ -151,8 +154,18 @@ class FinerSamples : public Relaxation {
     return true;
   }
   std::string text(int step) const override {
-    return fmt::format("graph.samples {} times as fine", 1 << step);
+    if (automatic_ == 0) return fmt::format("graph.samples {} times as fine", 1 << step);
+    return fmt::format("graph.automatic_samples {} instead of {}", automatic_samples(step),
+                       automatic_);
   }
+
+ private:
+  int automatic_samples(int step) const {
+    constexpr int kMost = 1000000;
+    return static_cast<int>(std::min<std::int64_t>(std::int64_t{automatic_} << (2 * step), kMost));
+  }
+
+  int automatic_;
 };
 
 class Search {
@@ -161,7 +174,7 @@ class Search {
          double epsilon, const Monitor& monitor)
       : input_(input), task_(task), failing_(failing), epsilon_(epsilon), monitor_(monitor) {
     const ToleranceBox& box = task.waypoints[failing].tolerance;
-    all_.push_back(std::make_unique<FinerSamples>());
+    all_.push_back(std::make_unique<FinerSamples>(input.options));
     for (int k = 0; k < 6 && !task.waypoints[failing].joints; ++k) {
       if (!box.is_free(k)) all_.push_back(std::make_unique<WiderTolerance>(k, box));
     }

@@ -292,7 +292,7 @@ TEST(Stage1, EveryPlannerPassesTheCheck) {
     EXPECT_LT(sparse.graph.sparse_points, problem.task.waypoints.size()) << name;
     problem.graph.planner = Planner::dense;
 
-    problem.graph.automatic_samples = 200;
+    problem.graph.automatic_samples = 600;
     EXPECT_EQ(plan_graph_only(problem).status, Status::solved) << name;
   }
 }
