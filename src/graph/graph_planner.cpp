@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 
 #include "graph/diagnosis.hpp"
 #include "graph/grid_refinement.hpp"
@@ -19,6 +20,18 @@ namespace {
 
 constexpr double kTurn = 6.28318530717958647692;
 
+/// Searches are repeated; what they report as progress must not go back.
+Monitor never_back(const Monitor& monitor) {
+  Monitor result = monitor;
+  if (!monitor.progress) return result;
+  result.progress = [report = monitor.progress, last = std::make_shared<double>(0)](
+                        const std::string& stage, double fraction) {
+    if (stage == "search") fraction = *last = std::max(*last, fraction);
+    report(stage, fraction);
+  };
+  return result;
+}
+
 class GraphPlanner {
  public:
   GraphPlanner(const SamplingInput& input, const Task& task, double epsilon, int threads,
@@ -27,7 +40,7 @@ class GraphPlanner {
         task_(task),
         epsilon_(epsilon),
         threads_(threads),
-        monitor_(monitor),
+        monitor_(never_back(monitor)),
         timing_(timing) {}
 
   GraphPlan run() {
@@ -92,8 +105,10 @@ class GraphPlanner {
     }
     for (DistinctPath& path : paths) {
       if (input_.options.coarse_to_fine) refine(search, path);
-      if (plan_.seeds.empty()) record(path.path);
-      else plan_.seeds.push_back(seed(path.path, path.differs_at));
+      if (plan_.seeds.empty())
+        record(path.path);
+      else
+        plan_.seeds.push_back(seed(path.path, path.differs_at));
     }
     std::stable_sort(plan_.seeds.begin(), plan_.seeds.end(),
                      [](const Seed& a, const Seed& b) { return a.cost < b.cost; });
@@ -149,8 +164,7 @@ class GraphPlanner {
     GraphOptions options = input_.options;
     options.planner = Planner::dense;
     const SamplingInput dense{input_.robot, input_.ik, input_.clearance, input_.cost, options};
-    const GraphPlan plan =
-        GraphPlanner(dense, task_, epsilon_, threads_, monitor_, timing_).run();
+    const GraphPlan plan = GraphPlanner(dense, task_, epsilon_, threads_, monitor_, timing_).run();
     plan_.diagnosis = plan.diagnosis;
     if (plan_.diagnosis || !plan.found) return;
     plan_.diagnosis = Diagnosis{std::nullopt, "no_edge", "the sparse planner found no path",
@@ -189,8 +203,8 @@ class GraphPlanner {
   std::vector<int> turns(const JointVector& q) const {
     std::vector<int> result;
     for (int j = 0; j < input_.robot.joint_count(); ++j) {
-      const bool turns = input_.robot.joints()[static_cast<std::size_t>(j)].type !=
-                         JointType::prismatic;
+      const bool turns =
+          input_.robot.joints()[static_cast<std::size_t>(j)].type != JointType::prismatic;
       const double whole = turns ? std::round((q[j] - wrap_angle(q[j])) / kTurn) : 0;
       result.push_back(static_cast<int>(whole));
     }
@@ -201,7 +215,7 @@ class GraphPlanner {
   const Task& task_;
   const double epsilon_;
   const int threads_;
-  const Monitor& monitor_;
+  const Monitor monitor_;
   Timing& timing_;
   GraphPlan plan_;
 };

@@ -1,6 +1,7 @@
 #include "graph/reachable_pieces.hpp"
 
 #include "cancelled.hpp"
+#include "graph/sub_task.hpp"
 
 namespace wristwise {
 
@@ -15,16 +16,15 @@ std::vector<std::pair<std::size_t, std::size_t>> reachable_pieces(const Sampling
   if (reached > 0) pieces.emplace_back(0, reached - 1);
   for (std::size_t start = reached; start < task.waypoints.size();) {
     throw_if_cancelled(monitor);
-    Task rest = task;
-    rest.waypoints.clear();
     std::vector<Rung> rungs;
     for (std::size_t i = start; i < task.waypoints.size() && sampled.rungs[i].size() > 0; ++i) {
       rungs.push_back(sampled.rungs[i]);
-      rest.waypoints.push_back(task.waypoints[i]);
     }
     std::size_t count = 0;
     if (!rungs.empty()) {
-      GraphSearch search(input, rest, epsilon, threads, quiet);
+      const SubTask rest = sub_task(task, input.cost, start, start + rungs.size());
+      const SamplingInput own{input.robot, input.ik, input.clearance, rest.cost, input.options};
+      GraphSearch search(own, rest.task, epsilon, threads, quiet);
       count = search.find_path(rungs).positions.size();
     }
     if (count > 0) pieces.emplace_back(start, start + count - 1);

@@ -10,6 +10,7 @@
 
 #include "cancelled.hpp"
 #include "graph/sampling_grid.hpp"
+#include "graph/sub_task.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
@@ -17,7 +18,7 @@ namespace wristwise {
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
-constexpr std::size_t kReach = 2;  // waypoints before and after the one that fails
+constexpr std::size_t kReach = 2;             // waypoints before and after the one that fails
 constexpr std::size_t kChecksInTrial = 3000;  // of moves
 constexpr std::size_t kChecksInAll = 12000;
 constexpr std::size_t kMostSamples = 200000;  // of a trial
@@ -25,7 +26,7 @@ constexpr std::size_t kMostNamed = 3;
 
 /// A task with something relaxed.
 struct Trial {
-  Task task;
+  SubTask part;
   GraphOptions options;
   std::shared_ptr<const ClearanceModel> clearance;
   double slower = 1;
@@ -59,7 +60,7 @@ class WiderTolerance : public Relaxation {
 
   bool apply(int step, Trial& trial) const override {
     try {
-      for (Waypoint& waypoint : trial.task.waypoints) {
+      for (Waypoint& waypoint : trial.part.task.waypoints) {
         if (waypoint.joints || waypoint.tolerance.is_free(coordinate_)) continue;
         waypoint.tolerance = wider(waypoint.tolerance, step);
         waypoint.tolerance.validate("");
@@ -75,7 +76,8 @@ class WiderTolerance : public Relaxation {
 
   std::string text(int step) const override {
     const ToleranceBox box = wider(box_, step);
-    return fmt::format("{} {} instead of {}", kCoordinateNames[static_cast<std::size_t>(coordinate_)],
+    return fmt::format("{} {} instead of {}",
+                       kCoordinateNames[static_cast<std::size_t>(coordinate_)],
                        range_text(coordinate_, box.lower[coordinate_], box.upper[coordinate_]),
                        range_text(coordinate_, box_.lower[coordinate_], box_.upper[coordinate_]));
   }
@@ -141,13 +143,12 @@ class FinerSamples : public Relaxation {
   double effort(int step) const override { return 0.1 * step; }
   bool apply(int step, Trial& trial) const override {
     constexpr double kDefaultIntervals = 2;  // the ends and the nominal
-    const ToleranceBox& box = trial.task.waypoints.front().tolerance;
+    const ToleranceBox& box = trial.part.task.waypoints.front().tolerance;
     trial.options.automatic_samples = automatic_samples(step);
     for (int k = 0; k < 6; ++k) {
       double& size = trial.options.step[k];
       if (size == 0) {
-        size = box.is_free(k) ? 10 * kDegree
-                              : (box.upper[k] - box.lower[k]) / kDefaultIntervals;
+        size = box.is_free(k) ? 10 * kDegree : (box.upper[k] - box.lower[k]) / kDefaultIntervals;
       }
       size /= 1 << step;
     }
@@ -187,7 +188,8 @@ class Search {
   std::string run() {
     std::vector<Found> found;
     for (const auto& relaxation : all_) {
-      if (const auto step = smallest_around(*relaxation)) found.push_back({relaxation.get(), *step});
+      if (const auto step = smallest_around(*relaxation))
+        found.push_back({relaxation.get(), *step});
     }
     sort(found);
     std::vector<Found> enough;
@@ -224,18 +226,19 @@ class Search {
   }
 
   std::optional<int> enough_for_seam(const Relaxation& relaxation, int least) {
-    if (helps(relaxation, least, task_)) return least;
-    return smallest(relaxation, least + 1, task_);
+    const SubTask whole{task_, input_.cost};
+    if (helps(relaxation, least, whole)) return least;
+    return smallest(relaxation, least + 1, whole);
   }
 
   /// The first step from `least` on that helps, by halving.
-  std::optional<int> smallest(const Relaxation& relaxation, int least, const Task& task) {
+  std::optional<int> smallest(const Relaxation& relaxation, int least, const SubTask& part) {
     int high = relaxation.steps();
     while (high >= least && !makes_sense(relaxation, high)) --high;
-    if (high < least || !helps(relaxation, high, task)) return std::nullopt;
+    if (high < least || !helps(relaxation, high, part)) return std::nullopt;
     for (int low = least - 1; high - low > 1;) {
       const int middle = low + (high - low) / 2;
-      (helps(relaxation, middle, task) ? high : low) = middle;
+      (helps(relaxation, middle, part) ? high : low) = middle;
     }
     return high;
   }
@@ -245,22 +248,22 @@ class Search {
     return relaxation.apply(step, trial);
   }
 
-  bool helps(const Relaxation& relaxation, int step, const Task& task) {
+  bool helps(const Relaxation& relaxation, int step, const SubTask& part) {
     throw_if_cancelled(monitor_);
-    Trial trial{task, input_.options, input_.clearance};
+    Trial trial{part, input_.options, input_.clearance};
     return relaxation.apply(step, trial) && is_feasible(trial);
   }
 
   bool is_feasible(const Trial& trial) {
-    const SamplingInput input{input_.robot, input_.ik, trial.clearance, input_.cost,
+    const SamplingInput input{input_.robot, input_.ik, trial.clearance, trial.part.cost,
                               trial.options};
-    const auto grid = waypoint_grid(trial.task.waypoints.front().tolerance, trial.options);
-    if (grid.size() * trial.task.waypoints.size() > kMostSamples) return false;
-    const SampledPath sampled = sample_path(input, trial.task, 1, {});
+    const auto grid = waypoint_grid(trial.part.task.waypoints.front().tolerance, trial.options);
+    if (grid.size() * trial.part.task.waypoints.size() > kMostSamples) return false;
+    const SampledPath sampled = sample_path(input, trial.part.task, 1, {});
     for (const Rung& rung : sampled.rungs) {
       if (rung.size() == 0) return false;
     }
-    GraphSearch search(input, trial.task, epsilon_, 1, quiet_);
+    GraphSearch search(input, trial.part.task, epsilon_, 1, quiet_);
     search.slow_down(trial.slower);
     const std::size_t granted = std::min(kChecksInTrial, left_);
     std::size_t left = granted;
@@ -274,14 +277,9 @@ class Search {
     return found;
   }
 
-  Task around() const {
-    Task task = task_;
-    const auto first = task_.waypoints.begin();
-    const std::size_t from = failing_ - std::min(failing_, kReach);
-    const std::size_t to = std::min(failing_ + kReach + 1, task_.waypoints.size());
-    task.waypoints.assign(first + static_cast<std::ptrdiff_t>(from),
-                          first + static_cast<std::ptrdiff_t>(to));
-    return task;
+  SubTask around() const {
+    return sub_task(task_, input_.cost, failing_ - std::min(failing_, kReach),
+                    std::min(failing_ + kReach + 1, task_.waypoints.size()));
   }
 
   const SamplingInput& input_;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "cancelled.hpp"
+#include "graph/sub_task.hpp"
 #include "wristwise/kinematics.hpp"
 
 namespace wristwise {
@@ -53,27 +54,12 @@ class SparsePlan {
  private:
   LadderPath plan_points() {
     const std::vector<std::size_t> points(points_.begin(), points_.end());
-    Task some = task_;
-    some.waypoints.clear();
-    for (const std::size_t point : points) some.waypoints.push_back(task_.waypoints[point]);
-
-    CostOptions cost = input_.cost;
-    if (cost.vertex_cost) {
-      cost.vertex_cost = [this, points](std::size_t rung, const JointVector& q) {
-        return input_.cost.vertex_cost(points[rung], q);
-      };
-    }
-    if (cost.edge_cost) {
-      cost.edge_cost = [this, points](std::size_t interval, const JointVector& from,
-                                      const JointVector& to) {
-        return input_.cost.edge_cost(points[interval], from, to);
-      };
-    }
-    const SamplingInput input{input_.robot, input_.ik, input_.clearance, cost, input_.options};
+    const SubTask some = sub_task(task_, input_.cost, points);
+    const SamplingInput input{input_.robot, input_.ik, input_.clearance, some.cost, input_.options};
     // The straight moves between points are no moves to be made: they are projected first.
-    GraphSearch search(input, some, epsilon_, threads_, monitor_,
-                       every_waypoint() ? GraphSearch::Moves::checked
-                                        : GraphSearch::Moves::unchecked);
+    GraphSearch search(
+        input, some.task, epsilon_, threads_, monitor_,
+        every_waypoint() ? GraphSearch::Moves::checked : GraphSearch::Moves::unchecked);
     const std::vector<Rung> rungs = rungs_of(points);
     LadderPath path;
     if (!rungs.empty()) path = search.find_path(rungs);
@@ -87,15 +73,12 @@ class SparsePlan {
 
   /// Samples the points that are new; only those before the first without a vertex.
   std::vector<Rung> rungs_of(const std::vector<std::size_t>& points) {
-    Task fresh = task_;
-    fresh.waypoints.clear();
     std::vector<std::size_t> indices;
     for (const std::size_t point : points) {
-      if (rungs_.count(point) > 0) continue;
-      indices.push_back(point);
-      fresh.waypoints.push_back(task_.waypoints[point]);
+      if (rungs_.count(point) == 0) indices.push_back(point);
     }
-    SampledPath sampled = sample_path(input_, fresh, threads_, {});
+    const SubTask fresh = sub_task(task_, input_.cost, indices);
+    SampledPath sampled = sample_path(input_, fresh.task, threads_, {});
     result_.postures += sampled.postures;
     for (std::size_t k = 0; k < indices.size(); ++k) {
       rungs_[indices[k]] = std::move(sampled.rungs[k]);
@@ -181,7 +164,8 @@ class SparsePlan {
       least = distance;
       nearest = &q;
     }
-    if (nearest == nullptr || !dense_.moves().has_clearance(0, index, *nearest)) return std::nullopt;
+    if (nearest == nullptr || !dense_.moves().has_clearance(0, index, *nearest))
+      return std::nullopt;
     return *nearest;
   }
 

@@ -121,7 +121,8 @@ std::vector<double> work_angles(const Problem& problem, const PlanResult& result
   std::vector<double> angles;
   for (std::size_t i = 0; i < result.path.size(); ++i) {
     const Pose tcp = tcp_pose(*problem.robot, result.path.positions[i]);
-    const Eigen::Matrix3d turn = problem.task.waypoints[i].frame.linear().transpose() * tcp.linear();
+    const Eigen::Matrix3d turn =
+        problem.task.waypoints[i].frame.linear().transpose() * tcp.linear();
     angles.push_back(std::asin(std::clamp(turn(0, 2), -1.0, 1.0)));
   }
   return angles;
@@ -295,6 +296,21 @@ TEST(Stage1, EveryPlannerPassesTheCheck) {
     problem.graph.automatic_samples = 600;
     EXPECT_EQ(plan_graph_only(problem).status, Status::solved) << name;
   }
+}
+
+TEST(Stage1, ProgressNeverGoesBack) {
+  Problem problem = shipped("task_b_wide");
+  problem.graph.seeds = 2;
+  double last = 0;
+  PlanOptions options;
+  options.monitor.progress = [&](const std::string& stage, double fraction) {
+    if (stage != "search") return;
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1);
+    last = fraction;
+  };
+  plan_graph_only(problem, options);
+  EXPECT_EQ(last, 1);
 }
 
 /// 30 x 3600 samples have the optimum 0.8242: coarse to fine gets below that from 30 x 360.
