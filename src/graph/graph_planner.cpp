@@ -92,8 +92,10 @@ class GraphPlanner {
     }
     for (DistinctPath& path : paths) {
       if (input_.options.coarse_to_fine) refine(search, path);
-      if (plan_.seeds.empty()) record(path.path);
-      else plan_.seeds.push_back(seed(path.path, path.differs_at));
+      if (plan_.seeds.empty())
+        record(path.path);
+      else
+        plan_.seeds.push_back(seed(path.path, path.differs_at));
     }
     std::stable_sort(plan_.seeds.begin(), plan_.seeds.end(),
                      [](const Seed& a, const Seed& b) { return a.cost < b.cost; });
@@ -149,8 +151,7 @@ class GraphPlanner {
     GraphOptions options = input_.options;
     options.planner = Planner::dense;
     const SamplingInput dense{input_.robot, input_.ik, input_.clearance, input_.cost, options};
-    const GraphPlan plan =
-        GraphPlanner(dense, task_, epsilon_, threads_, monitor_, timing_).run();
+    const GraphPlan plan = GraphPlanner(dense, task_, epsilon_, threads_, monitor_, timing_).run();
     plan_.diagnosis = plan.diagnosis;
     if (plan_.diagnosis || !plan.found) return;
     plan_.diagnosis = Diagnosis{std::nullopt, "no_edge", "the sparse planner found no path",
@@ -189,8 +190,8 @@ class GraphPlanner {
   std::vector<int> turns(const JointVector& q) const {
     std::vector<int> result;
     for (int j = 0; j < input_.robot.joint_count(); ++j) {
-      const bool turns = input_.robot.joints()[static_cast<std::size_t>(j)].type !=
-                         JointType::prismatic;
+      const bool turns =
+          input_.robot.joints()[static_cast<std::size_t>(j)].type != JointType::prismatic;
       const double whole = turns ? std::round((q[j] - wrap_angle(q[j])) / kTurn) : 0;
       result.push_back(static_cast<int>(whole));
     }

@@ -16,7 +16,7 @@ namespace wristwise {
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
-constexpr std::size_t kReach = 2;  // waypoints before and after the one that fails
+constexpr std::size_t kReach = 2;             // waypoints before and after the one that fails
 constexpr std::size_t kChecksInTrial = 3000;  // of moves
 constexpr std::size_t kChecksInAll = 12000;
 constexpr std::size_t kMostSamples = 200000;  // of a trial
@@ -74,7 +74,8 @@ class WiderTolerance : public Relaxation {
 
   std::string text(int step) const override {
     const ToleranceBox box = wider(box_, step);
-    return fmt::format("{} {} instead of {}", kCoordinateNames[static_cast<std::size_t>(coordinate_)],
+    return fmt::format("{} {} instead of {}",
+                       kCoordinateNames[static_cast<std::size_t>(coordinate_)],
                        range_text(coordinate_, box.lower[coordinate_], box.upper[coordinate_]),
                        range_text(coordinate_, box_.lower[coordinate_], box_.upper[coordinate_]));
   }
@@ -143,8 +144,7 @@ class FinerSamples : public Relaxation {
     for (int k = 0; k < 6; ++k) {
       double& size = trial.options.step[k];
       if (size == 0) {
-        size = box.is_free(k) ? 10 * kDegree
-                              : (box.upper[k] - box.lower[k]) / kDefaultIntervals;
+        size = box.is_free(k) ? 10 * kDegree : (box.upper[k] - box.lower[k]) / kDefaultIntervals;
       }
       size /= 1 << step;
     }
@@ -174,7 +174,8 @@ class Search {
   std::string run() {
     std::vector<Found> found;
     for (const auto& relaxation : all_) {
-      if (const auto step = smallest_around(*relaxation)) found.push_back({relaxation.get(), *step});
+      if (const auto step = smallest_around(*relaxation))
+        found.push_back({relaxation.get(), *step});
     }
     sort(found);
     std::vector<Found> enough;
@@ -239,8 +240,7 @@ class Search {
   }
 
   bool is_feasible(const Trial& trial) {
-    const SamplingInput input{input_.robot, input_.ik, trial.clearance, input_.cost,
-                              trial.options};
+    const SamplingInput input{input_.robot, input_.ik, trial.clearance, input_.cost, trial.options};
     const auto grid = waypoint_grid(trial.task.waypoints.front().tolerance, trial.options);
     if (grid.size() * trial.task.waypoints.size() > kMostSamples) return false;
     const SampledPath sampled = sample_path(input, trial.task, 1, {});

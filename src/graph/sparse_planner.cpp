@@ -71,9 +71,9 @@ class SparsePlan {
     }
     const SamplingInput input{input_.robot, input_.ik, input_.clearance, cost, input_.options};
     // The straight moves between points are no moves to be made: they are projected first.
-    GraphSearch search(input, some, epsilon_, threads_, monitor_,
-                       every_waypoint() ? GraphSearch::Moves::checked
-                                        : GraphSearch::Moves::unchecked);
+    GraphSearch search(
+        input, some, epsilon_, threads_, monitor_,
+        every_waypoint() ? GraphSearch::Moves::checked : GraphSearch::Moves::unchecked);
     const std::vector<Rung> rungs = rungs_of(points);
     LadderPath path;
     if (!rungs.empty()) path = search.find_path(rungs);
@@ -181,7 +181,8 @@ class SparsePlan {
       least = distance;
       nearest = &q;
     }
-    if (nearest == nullptr || !dense_.moves().has_clearance(0, index, *nearest)) return std::nullopt;
+    if (nearest == nullptr || !dense_.moves().has_clearance(0, index, *nearest))
+      return std::nullopt;
     return *nearest;
   }
 

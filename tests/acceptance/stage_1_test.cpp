@@ -121,7 +121,8 @@ std::vector<double> work_angles(const Problem& problem, const PlanResult& result
   std::vector<double> angles;
   for (std::size_t i = 0; i < result.path.size(); ++i) {
     const Pose tcp = tcp_pose(*problem.robot, result.path.positions[i]);
-    const Eigen::Matrix3d turn = problem.task.waypoints[i].frame.linear().transpose() * tcp.linear();
+    const Eigen::Matrix3d turn =
+        problem.task.waypoints[i].frame.linear().transpose() * tcp.linear();
     angles.push_back(std::asin(std::clamp(turn(0, 2), -1.0, 1.0)));
   }
   return angles;
