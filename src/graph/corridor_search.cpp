@@ -318,7 +318,7 @@ bool CorridorSearch::find_blocked_moves(const std::vector<Eigen::Index>& path) {
   std::vector<char> blocked(path.size() - 1, 0);
   parallel_for(blocked.size(), threads_, [&](int worker, std::size_t i) {
     KnownChecks::Moves fresh;
-    blocked[i] = !is_clear(i, path[i], path[i + 1], worker, fresh);
+    blocked[i] = is_clear(i, path[i], path[i + 1], worker, fresh) ? 0 : 1;
     known_.add(i, fresh);
   });
   bool any = false;
