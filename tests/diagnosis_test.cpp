@@ -122,8 +122,8 @@ TEST(Diagnosis, FindsTheSmallestWiderTolerance) {
   planning.allow(1, 0.13, 0.05);
   const GraphPlan plan = planning.plan();
   ASSERT_TRUE(plan.diagnosis.has_value());
-  EXPECT_TRUE(says(plan.diagnosis->suggestion, "y +-150.5 mm instead of +-130 mm")) <<
-      plan.diagnosis->suggestion;
+  EXPECT_TRUE(says(plan.diagnosis->suggestion, "y +-150.5 mm instead of +-130 mm"))
+      << plan.diagnosis->suggestion;
   EXPECT_TRUE(says(plan.diagnosis->suggestion, "enough for the whole seam"));
   EXPECT_FALSE(says(plan.diagnosis->suggestion, " z ")) << plan.diagnosis->suggestion;
   planning.allow(1, 0.1505, 0.05);
@@ -156,7 +156,8 @@ TEST(Diagnosis, FindsTheSpeedThatTheJointsCanKeep) {
   EXPECT_TRUE(says(plan.diagnosis->detail, "1.67 times the speed of x")) << plan.diagnosis->detail;
   EXPECT_EQ(plan.diagnosis->counts->usable, 1U);
   EXPECT_EQ(plan.diagnosis->counts->too_fast, 1U);
-  EXPECT_TRUE(says(plan.diagnosis->suggestion, "1.77 times the time")) << plan.diagnosis->suggestion;
+  EXPECT_TRUE(says(plan.diagnosis->suggestion, "1.77 times the time"))
+      << plan.diagnosis->suggestion;
 }
 
 /// y = +-0.3 only, and a wall at y = 0 with a gap of one interval: every move through the gap is

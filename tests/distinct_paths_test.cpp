@@ -12,7 +12,8 @@ namespace {
 namespace gantry = test::gantry;
 using gantry::Planning;
 
-/// A post in the middle of the seam, a little to one side: the best path passes it on the other one.
+/// A post in the middle of the seam, a little to one side: the best path passes it on the other
+/// one.
 Planning past_a_post(double y) {
   Planning planning;
   planning.allow(1, 0.4, 0.05);

@@ -20,7 +20,8 @@ MoveChecker::Limits stray_limit(double stray) {
 }
 
 TEST(MoveChecker, StrayIsTheExcessOverTheToleranceAlongTheMove) {
-  const MoveChecker checker(straight_task(), gantry::clearance(gantry::robot()), stray_limit(1), 5e-5, 1);
+  const MoveChecker checker(straight_task(), gantry::clearance(gantry::robot()), stray_limit(1),
+                            5e-5, 1);
   EXPECT_NEAR(checker.stray(1, posture(0.25, 0, 0), posture(0.5, 0, 0)), 0, 1e-12);
   EXPECT_NEAR(checker.stray(1, posture(0.25, 0, 0, 1), posture(0.5, 0, 0, -1)), 0, 1e-12);
   // Three quarters of the way to y = 0.4.

@@ -18,13 +18,13 @@ enum class SingularityMeasure {
 
 /// What is minimised, in both stages.
 struct CostOptions {
-  double joint_motion = 1;  ///< weight of |q'|^2 (stage 2) and of the L1 step (stage 1)
-  double acceleration = 1;  ///< weight of tau^2 |q''|^2
-  double jerk = 1;          ///< weight of tau^4 |q'''|^2
-  double euler_graph = 0;   ///< rad of joint motion per rad of deviation at each vertex
-  double euler_refine = 0;  ///< weight of (eta^2 alpha^2 + beta^2) / tau^2
-  double euler_eta = 1;     ///< alpha's share against beta's (eq. 9)
-  bool squared_steps = false;  ///< stage 1: the sum of squared joint steps instead of eq. 4
+  double joint_motion = 1;       ///< weight of |q'|^2 (stage 2) and of the L1 step (stage 1)
+  double acceleration = 1;       ///< weight of tau^2 |q''|^2
+  double jerk = 1;               ///< weight of tau^4 |q'''|^2
+  double euler_graph = 0;        ///< rad of joint motion per rad of deviation at each vertex
+  double euler_refine = 0;       ///< weight of (eta^2 alpha^2 + beta^2) / tau^2
+  double euler_eta = 1;          ///< alpha's share against beta's (eq. 9)
+  bool squared_steps = false;    ///< stage 1: the sum of squared joint steps instead of eq. 4
   double singularity_graph = 0;  ///< rad of joint motion at each vertex that is singular; less
                                  ///< where it is farther from that: w (1 - measure)
   SingularityMeasure singularity_measure = SingularityMeasure::wrist;

@@ -66,15 +66,15 @@ struct GraphStatistics {
   double edges_evaluated = 0;        ///< looked at
   std::size_t collision_checks = 0;  ///< exact distance queries
   std::size_t edges_checked = 0;     ///< swept
-  double edges_if_eager = 0;    ///< moves that an eager check would sweep: one per pair of postures
+  double edges_if_eager = 0;  ///< moves that an eager check would sweep: one per pair of postures
   double cost = 0;
   double joint_motion_l1 = 0;  ///< rad and m
   /// Whole turns of each joint between its value and (-pi, pi], at the first and the last waypoint.
   std::vector<int> first_turns, last_turns;
-  int grid_rounds = 0;           ///< coarse to fine: searches after the first
-  double first_cost = 0;         ///< coarse to fine: on the grid of the options
-  std::size_t sparse_points = 0; ///< sparse: waypoints planned
-  int replans = 0;               ///< sparse: searches after the first
+  int grid_rounds = 0;            ///< coarse to fine: searches after the first
+  double first_cost = 0;          ///< coarse to fine: on the grid of the options
+  std::size_t sparse_points = 0;  ///< sparse: waypoints planned
+  int replans = 0;                ///< sparse: searches after the first
   /// Where there is no path: the first and last waypoints of the pieces that have one.
   std::vector<std::pair<std::size_t, std::size_t>> pieces;
 };
@@ -105,8 +105,8 @@ struct PlanResult {
   Status status = Status::failed;
   Mode mode = Mode::two_stage;
   std::vector<Seed> seeds;  ///< of stage 1, distinct, the best first
-  JointPath path;         ///< at the waypoints; may be partial where there is no solution
-  Trajectory trajectory;  ///< the curve; empty in graph-only mode
+  JointPath path;           ///< at the waypoints; may be partial where there is no solution
+  Trajectory trajectory;    ///< the curve; empty in graph-only mode
   GraphStatistics graph;
   RefineStatistics refine;
   Verification verification;

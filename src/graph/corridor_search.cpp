@@ -65,9 +65,9 @@ void CorridorSearch::add_interval(std::size_t i) {
   for (Eigen::Index j = 0; j < interval.max_step.size(); ++j) {
     const auto& a = from.positions.col(j);
     const auto& b = to.positions.col(j);
-    const double longest = std::min(
-        std::max(b.maxCoeff() - a.minCoeff(), a.maxCoeff() - b.minCoeff()),
-        graph_.metric.period[j] / 2);
+    const double longest =
+        std::min(std::max(b.maxCoeff() - a.minCoeff(), a.maxCoeff() - b.minCoeff()),
+                 graph_.metric.period[j] / 2);
     if (longest <= interval.max_step[j]) interval.max_step[j] = kInfinity;
     interval.limited = interval.limited || interval.max_step[j] < kInfinity;
   }
@@ -166,8 +166,8 @@ void CorridorSearch::relax_vertex(std::size_t i, Eigen::Index v, int worker, Scr
   Candidate best;
   if (layer.rung.cost[v] < kInfinity) {
     best = least_total(i, layer.rung.vertex(v), scratch);
-    const bool as_it_is = best.index < 0 || (!rules_.edge_cost &&
-                                             is_allowed(i, best.index, v, worker, scratch));
+    const bool as_it_is =
+        best.index < 0 || (!rules_.edge_cost && is_allowed(i, best.index, v, worker, scratch));
     if (!as_it_is) best = best_allowed(i, v, worker, scratch);
   }
   const double distance = best.total + layer.rung.cost[v];
@@ -318,7 +318,7 @@ bool CorridorSearch::find_blocked_moves(const std::vector<Eigen::Index>& path) {
   std::vector<char> blocked(path.size() - 1, 0);
   parallel_for(blocked.size(), threads_, [&](int worker, std::size_t i) {
     KnownChecks::Moves fresh;
-    blocked[i] = !is_clear(i, path[i], path[i + 1], worker, fresh);
+    blocked[i] = is_clear(i, path[i], path[i + 1], worker, fresh) ? 0 : 1;
     known_.add(i, fresh);
   });
   bool any = false;

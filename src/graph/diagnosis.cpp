@@ -41,9 +41,9 @@ FailureCounts failure_counts(const Robot& robot, const SampleCounts& counts) {
 }
 
 std::string tally(const FailureCounts& counts) {
-  return fmt::format("of {} samples {} are out of reach; {} branches break a joint limit, {} collide",
-                     counts.samples, counts.out_of_reach, total(counts.joint_limit),
-                     total(counts.collision));
+  return fmt::format(
+      "of {} samples {} are out of reach; {} branches break a joint limit, {} collide",
+      counts.samples, counts.out_of_reach, total(counts.joint_limit), total(counts.collision));
 }
 
 Diagnosis diagnose_waypoint(const Task& task, std::size_t waypoint, FailureCounts counts) {
@@ -176,8 +176,9 @@ Diagnosis diagnose_search(const SamplingInput& input, const Task& task, const Gr
   } else if (const auto pair =
                  blocking_pair(input, from, next.vertex(nearest), clearance_epsilon)) {
     diagnosis.reason = "collision";
-    diagnosis.detail += fmt::format("every move from waypoint {} is blocked, the nearest by {} - {}",
-                                    last, pair->first, pair->second);
+    diagnosis.detail +=
+        fmt::format("every move from waypoint {} is blocked, the nearest by {} - {}", last,
+                    pair->first, pair->second);
     diagnosis.suggestion = "widen the tolerance so that the torch can pass, or move the obstacle";
   } else {
     diagnosis.reason = "no_edge";
@@ -188,7 +189,8 @@ Diagnosis diagnose_search(const SamplingInput& input, const Task& task, const Gr
     diagnosis.suggestion = "sample finer, use more waypoints, or raise graph.max_stray";
   }
   diagnosis.detail += fmt::format(
-      " ({}; of {} usable postures, seen from the best one before, {} are too fast to reach, {} too "
+      " ({}; of {} usable postures, seen from the best one before, {} are too fast to reach, {} "
+      "too "
       "far, {} astray, {} behind an obstacle)",
       tally(counts), counts.usable, counts.too_fast, counts.too_far, counts.astray, counts.blocked);
   diagnosis.counts = std::move(counts);

@@ -13,8 +13,8 @@ struct DistinctPath {
 
 /// For each configuration of a rung the number of the region that it lies in: configurations that
 /// can be used are joined where no joint differs by more than `gap` (rad or m, the shorter way
-/// round); -1 for those that cannot. Another branch of the robot, or another side of an obstacle, is
-/// another region.
+/// round); -1 for those that cannot. Another branch of the robot, or another side of an obstacle,
+/// is another region.
 std::vector<int> find_regions(const Rung& rung, const JointVector& period, double gap,
                               const std::vector<bool>& usable);
 

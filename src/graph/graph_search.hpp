@@ -25,7 +25,8 @@ class GraphSearch {
   /// As if the seam were run slower by this factor, as far as joint speeds are concerned.
   void slow_down(double factor);
 
-  /// Gives up (SearchTooLong) where checks of moves have used up what is left. With one thread only.
+  /// Gives up (SearchTooLong) where checks of moves have used up what is left. With one thread
+  /// only.
   void limit_checks(std::size_t& left);
 
   /// @pre every rung has a vertex; as many as there are waypoints, or fewer

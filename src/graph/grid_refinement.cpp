@@ -22,9 +22,8 @@ constexpr int kMostRounds = 100;
 
 /// The largest interval of the first grid in each coordinate; 0 where the coordinate is held.
 Vector6 grid_step(const ToleranceBox& box, const GraphOptions& options) {
-  const Vector6 asked = options.automatic_samples > 0
-                            ? automatic_step(box, options.automatic_samples)
-                            : options.step;
+  const Vector6 asked =
+      options.automatic_samples > 0 ? automatic_step(box, options.automatic_samples) : options.step;
   Vector6 step = Vector6::Zero();
   for (int k = 0; k < 6; ++k) {
     const auto samples = coordinate_samples(box.lower[k], box.upper[k], asked[k]);
@@ -93,10 +92,10 @@ class Refinement {
     for (std::size_t i = 0; i < task_.waypoints.size(); ++i) {
       const Waypoint& waypoint = task_.waypoints[i];
       const Pose tcp = tcp_pose(input_.robot, result_.path.positions[i]);
-      grids.push_back(grid_around(waypoint.tolerance,
-                                  in_box(waypoint.tolerance,
-                                         deviation(waypoint.tolerance, waypoint.frame, tcp)),
-                                  steps_[i]));
+      grids.push_back(grid_around(
+          waypoint.tolerance,
+          in_box(waypoint.tolerance, deviation(waypoint.tolerance, waypoint.frame, tcp)),
+          steps_[i]));
     }
     const std::vector<Rung> rungs = sample_grids(input_, task_, grids, threads_);
     for (const Rung& rung : rungs) {

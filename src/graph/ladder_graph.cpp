@@ -38,9 +38,9 @@ bool is_narrower(const Corridor& corridor, std::size_t width) {
                      [width](const auto& rung) { return rung.size() < width; });
 }
 
-/// Finds the least-cost path in corridors: narrow ones, which give a path and so an upper bound, then
-/// one that holds every path up to that bound. The more rungs the bounds look at, the narrower that
-/// is, and the dearer are the bounds.
+/// Finds the least-cost path in corridors: narrow ones, which give a path and so an upper bound,
+/// then one that holds every path up to that bound. The more rungs the bounds look at, the narrower
+/// that is, and the dearer are the bounds.
 class LadderSearch {
  public:
   LadderSearch(const SearchGraph& graph, KnownChecks& known, int threads, const Monitor& monitor)
@@ -173,8 +173,8 @@ class Search {
   bool search_copies(const EdgeRules& rules) {
     TurnCopies copies = expand_turns(rungs_, rules);
     if (rules_.vertex_cost) add_vertex_cost(copies);
-    const SearchGraph graph{&copies.rungs, copies.original,
-                            {rules_.weight, copies.period, rules_.squared}, &rules_};
+    const SearchGraph graph{
+        &copies.rungs, copies.original, {rules_.weight, copies.period, rules_.squared}, &rules_};
     const auto result = search(graph);
     path_.found = result.found;
     path_.cost = result.cost;

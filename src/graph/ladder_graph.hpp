@@ -41,9 +41,9 @@ struct EdgeRules {
 class KnownChecks;
 
 struct LadderStatistics {
-  std::size_t vertices = 0;     ///< copies included
-  double edges = 0;             ///< of the whole graph
-  double edges_evaluated = 0;   ///< cost computed
+  std::size_t vertices = 0;    ///< copies included
+  double edges = 0;            ///< of the whole graph
+  double edges_evaluated = 0;  ///< cost computed
   std::size_t usable_checks = 0;
   std::size_t clear_checks = 0;
 };

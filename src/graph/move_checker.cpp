@@ -21,7 +21,8 @@ MoveChecker::MoveChecker(const Task& task, const std::shared_ptr<const Clearance
       limits_(limits),
       required_(clearance->clearance()),
       epsilon_(epsilon) {
-  for (int i = 0; i < threads; ++i) workers_.push_back({ClearanceChecker(clearance), 0, {}, -1, 0.5});
+  for (int i = 0; i < threads; ++i)
+    workers_.push_back({ClearanceChecker(clearance), 0, {}, -1, 0.5});
   near_pairs_.assign(task.waypoints.size(), -1);
   for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
     stretches_.push_back(stretch(task, i));

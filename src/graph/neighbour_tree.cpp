@@ -8,7 +8,8 @@
 
 namespace wristwise {
 
-// (F18) For a point u in a box B and a target v,  key_u + cost(u, v) >= min key over B + cost(B, v),
+// (F18) For a point u in a box B and a target v,  key_u + cost(u, v) >= min key over B + cost(B,
+// v),
 //   cost(B, v) = sum_j w_j max(0, s_j(v, m_j) - h_j),
 // with m the box's middle and h its half widths: s_j is a metric on the line and on the circle, so
 // s_j(u, v) >= s_j(v, m_j) - s_j(u, m_j) and s_j(u, m_j) <= h_j. Squared costs likewise.
@@ -107,8 +108,8 @@ WRISTWISE_IN_CLONES void scan_leaf(const View& tree, std::int32_t leaf, const Qu
   for (int lane = 0; lane < kLeaf; ++lane) {
     const double total = lane < kFan ? low[lane] : high[lane - kFan];
     const Eigen::Index row = tree.rows[first + lane];
-    if (total < best.total || (total == best.total && total < kInfinity &&
-                               (best.index < 0 || row < best.index))) {
+    if (total < best.total ||
+        (total == best.total && total < kInfinity && (best.index < 0 || row < best.index))) {
       best = {total, row};
     }
   }
@@ -291,9 +292,9 @@ NeighbourTree::Nearest NeighbourTree::nearest(const double* target, const double
                                               std::size_t& evaluated) const {
   Nearest best{limit, -1};
   if (nodes_.empty()) return {};
-  const View tree{nodes_.data(),         boxes_.data(),         points_.data(),
-                  keys_.data(),          rows_.data(),          metric_.weight.data(),
-                  metric_.period.data(), metric_.joints(),      metric_.squared};
+  const View tree{nodes_.data(),         boxes_.data(),    points_.data(),
+                  keys_.data(),          rows_.data(),     metric_.weight.data(),
+                  metric_.period.data(), metric_.joints(), metric_.squared};
   const Query query{target, max_step};
   std::size_t leaves = 0;
   if (hint >= 0) start_from(hint, query.target, max_step, best);

@@ -56,12 +56,12 @@ class NeighbourTree {
 
   JointMetric metric_;
   std::vector<Eigen::Index> order_;
-  std::vector<Node> nodes_;             ///< parents before children; the root first
-  std::vector<double> boxes_;           ///< node, middle or half width, joint, child
-  std::vector<double> points_;          ///< leaf, joint, lane
-  std::vector<double> keys_;            ///< leaf, lane
-  std::vector<Eigen::Index> rows_;      ///< leaf, lane
-  std::vector<std::size_t> place_;      ///< row -> leaf * kLeaf + lane
+  std::vector<Node> nodes_;         ///< parents before children; the root first
+  std::vector<double> boxes_;       ///< node, middle or half width, joint, child
+  std::vector<double> points_;      ///< leaf, joint, lane
+  std::vector<double> keys_;        ///< leaf, lane
+  std::vector<Eigen::Index> rows_;  ///< leaf, lane
+  std::vector<std::size_t> place_;  ///< row -> leaf * kLeaf + lane
 };
 
 }  // namespace wristwise

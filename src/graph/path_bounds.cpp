@@ -196,15 +196,13 @@ std::optional<PathBounds::Stop> PathBounds::between(const Source& from, const So
                                                     std::size_t& evaluated) const {
   Stop stop;
   std::vector<double> before, after;
-  const Eigen::ArrayXd bound =
-      from.bound(rungs_[rung], metric_) + to.bound(rungs_[rung], metric_);
+  const Eigen::ArrayXd bound = from.bound(rungs_[rung], metric_) + to.bound(rungs_[rung], metric_);
   for (Eigen::Index v = 0; v < rungs_[rung].size(); ++v) {
     if (bound[v] + rungs_[rung].cost[v] - least_cost_[rung] > limit) continue;
     const double own = rungs_[rung].cost[v] - least_cost_[rung];
     const JointVector target = rungs_[rung].vertex(v);
     double rest = limit - own - to.least;
-    const double up =
-        from.tree->nearest(target.data(), nullptr, rest, -1, evaluated).total + own;
+    const double up = from.tree->nearest(target.data(), nullptr, rest, -1, evaluated).total + own;
     if (up == kInfinity) continue;
     rest = limit - up;
     const double down = to.tree->nearest(target.data(), nullptr, rest, -1, evaluated).total;

@@ -55,9 +55,9 @@ class PathBounds {
   JointMetric metric_;
   IsBlocked is_blocked_;
   int threads_;
-  std::vector<double> least_cost_;      ///< of each rung's vertices
-  double base_ = 0;                     ///< their sum
-  std::vector<std::size_t> landmarks_;  ///< rungs
+  std::vector<double> least_cost_;       ///< of each rung's vertices
+  double base_ = 0;                      ///< their sum
+  std::vector<std::size_t> landmarks_;   ///< rungs
   std::vector<Eigen::ArrayXd> forward_;  ///< of each landmark
   double least_ = kInfinity;
   mutable std::size_t evaluated_ = 0;

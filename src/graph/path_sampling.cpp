@@ -185,8 +185,7 @@ class WaypointSampler {
     using Rows = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const auto count = static_cast<Eigen::Index>(costs_.size());
     Rung rung;
-    rung.positions =
-        Eigen::Map<const Rows>(positions_.data(), count, input_.robot.joint_count());
+    rung.positions = Eigen::Map<const Rows>(positions_.data(), count, input_.robot.joint_count());
     rung.cost = Eigen::Map<const Eigen::ArrayXd>(costs_.data(), count);
     return rung;
   }
@@ -203,8 +202,8 @@ class WaypointSampler {
 }  // namespace
 
 JointVector turn_periods(const Robot& robot, Turns turns) {
-  JointVector period = JointVector::Constant(robot.joint_count(),
-                                             std::numeric_limits<double>::infinity());
+  JointVector period =
+      JointVector::Constant(robot.joint_count(), std::numeric_limits<double>::infinity());
   if (turns == Turns::principal) return period;
   for (int j = 0; j < robot.joint_count(); ++j) {
     const Joint& joint = robot.joints()[static_cast<std::size_t>(j)];

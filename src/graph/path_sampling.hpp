@@ -40,7 +40,8 @@ struct SamplingInput {
 /// rad: 2 pi for the joints that have copies by whole turns inside their limits, else infinity.
 JointVector turn_periods(const Robot& robot, Turns turns);
 
-/// What a posture costs at a waypoint: its Euler deviation (eq. 9) and the nearness of a singularity.
+/// What a posture costs at a waypoint: its Euler deviation (eq. 9) and the nearness of a
+/// singularity.
 double posture_cost(const SamplingInput& input, const Waypoint& waypoint, const JointVector& q);
 
 /// Samples the tolerance of every waypoint, solves the inverse kinematics of every sample, and

@@ -12,7 +12,7 @@ namespace wristwise {
 struct Rung {
   Eigen::ArrayXXd positions;  ///< configurations x joints
   Eigen::ArrayXd cost;        ///< infinite: not to be used
-  JointVector lower, upper;  ///< where its copies must lie; empty: between the joint limits
+  JointVector lower, upper;   ///< where its copies must lie; empty: between the joint limits
 
   Eigen::Index size() const { return positions.rows(); }
   JointVector vertex(Eigen::Index index) const { return positions.row(index).transpose(); }

@@ -111,8 +111,8 @@ Vector6 automatic_step(const ToleranceBox& box, int samples) {
   const auto count = [&](const Vector6& step) {
     double product = 1;
     for (int k = 0; k < 6; ++k) {
-      product *= static_cast<double>(
-          coordinate_samples(box.lower[k], box.upper[k], step[k]).size());
+      product *=
+          static_cast<double>(coordinate_samples(box.lower[k], box.upper[k], step[k]).size());
     }
     return product;
   };

@@ -14,9 +14,10 @@ struct SparsePath {
 };
 
 /// Plans some of the waypoints and joins them by straight joint-space moves, projected into the
-/// tolerance at the waypoints between; where that strays too far, collides or is too fast, waypoints
-/// are added and the plan is made again (section II of De Maeyer et al., ETFA 2017; the projection
-/// is Descartes' sparse planner's). Not the least-cost path, unless every waypoint is needed.
+/// tolerance at the waypoints between; where that strays too far, collides or is too fast,
+/// waypoints are added and the plan is made again (section II of De Maeyer et al., ETFA 2017; the
+/// projection is Descartes' sparse planner's). Not the least-cost path, unless every waypoint is
+/// needed.
 SparsePath plan_sparse(const SamplingInput& input, const Task& task, double epsilon, int threads,
                        const Monitor& monitor);
 

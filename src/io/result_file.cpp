@@ -163,10 +163,10 @@ Json counts(const FailureCounts& counts) {
   for (const auto& [pair, count] : counts.collision) {
     collision.push_back({{"pair", names(pair)}, {"postures", count}});
   }
-  return {{"samples", counts.samples},   {"out_of_reach", counts.out_of_reach},
+  return {{"samples", counts.samples},         {"out_of_reach", counts.out_of_reach},
           {"joint_limit", counts.joint_limit}, {"collision", std::move(collision)},
-          {"usable", counts.usable},     {"too_fast", counts.too_fast},
-          {"too_far", counts.too_far},   {"astray", counts.astray},
+          {"usable", counts.usable},           {"too_fast", counts.too_fast},
+          {"too_far", counts.too_far},         {"astray", counts.astray},
           {"blocked", counts.blocked}};
 }
 

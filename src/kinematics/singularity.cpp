@@ -69,9 +69,8 @@ double SingularityDistance::wrist(const ChainPose& chain) const {
 double SingularityDistance::manipulability(const ChainPose& chain) const {
   Jacobian jacobian = geometric_jacobian(robot_, chain);
   jacobian.topRows<3>() /= length_;
-  const double determinant = jacobian.cols() >= 6
-                                 ? (jacobian * jacobian.transpose()).determinant()
-                                 : (jacobian.transpose() * jacobian).determinant();
+  const double determinant = jacobian.cols() >= 6 ? (jacobian * jacobian.transpose()).determinant()
+                                                  : (jacobian.transpose() * jacobian).determinant();
   return std::sqrt(std::max(0.0, determinant));
 }
 

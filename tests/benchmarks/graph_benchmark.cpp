@@ -92,8 +92,7 @@ void GrowthWithWaypoints(benchmark::State& state) {
   const double start = one.seam.start_time(), end = one.seam.end_time();
   for (std::size_t i = 0; i < count; ++i) {
     Waypoint waypoint = one.waypoints.front();
-    waypoint.time =
-        start + (end - start) * static_cast<double>(i) / static_cast<double>(count - 1);
+    waypoint.time = start + (end - start) * static_cast<double>(i) / static_cast<double>(count - 1);
     waypoint.frame = one.seam.frame_at(waypoint.time);
     problem.task.waypoints.push_back(waypoint);
   }

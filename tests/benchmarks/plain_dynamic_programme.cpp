@@ -82,7 +82,8 @@ std::vector<int> relax_rung(const Columns& from, Columns& to) {
   for (std::size_t v = 0; v < to.count; v += kTargets) {
     std::array<std::array<float, kJoints>, kTargets> targets{};
     for (std::size_t k = 0; k < kTargets; ++k) {
-      for (std::size_t j = 0; j < kJoints; ++j) targets[k][j] = to.q[j][std::min(v + k, to.count - 1)];
+      for (std::size_t j = 0; j < kJoints; ++j)
+        targets[k][j] = to.q[j][std::min(v + k, to.count - 1)];
     }
     std::array<float, kTargets> least{};
     relax(from, targets, least.data(), &previous[v]);
