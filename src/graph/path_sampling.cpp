@@ -237,6 +237,7 @@ SampledPath sample_path(const SamplingInput& input, const Task& task, int thread
   std::vector<WaypointSampler> samplers;
   samplers.reserve(static_cast<std::size_t>(threads));
   for (int i = 0; i < threads; ++i) samplers.emplace_back(input, eager);
+  monitor.report("sampling", 0);
   parallel_for(count, threads, [&](int worker, std::size_t i) {
     throw_if_cancelled(monitor);
     result.rungs[i] =
@@ -245,6 +246,7 @@ SampledPath sample_path(const SamplingInput& input, const Task& task, int thread
       monitor.report("sampling", static_cast<double>(i + 1) / static_cast<double>(count));
     }
   });
+  monitor.report("sampling", 1);
   for (const WaypointSampler& sampler : samplers) result.collision_checks += sampler.queries();
   for (const Rung& rung : result.rungs) result.postures += static_cast<std::size_t>(rung.size());
   return result;
