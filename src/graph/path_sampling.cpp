@@ -237,6 +237,7 @@ SampledPath sample_path(const SamplingInput& input, const Task& task, int thread
   std::vector<WaypointSampler> samplers;
   samplers.reserve(static_cast<std::size_t>(threads));
   for (int i = 0; i < threads; ++i) samplers.emplace_back(input, eager);
+  throw_if_cancelled(monitor);
   monitor.report("sampling", 0);
   parallel_for(count, threads, [&](int worker, std::size_t i) {
     throw_if_cancelled(monitor);
