@@ -153,7 +153,7 @@ NeighbourTree::NeighbourTree(const Eigen::ArrayXXd& positions, const JointMetric
   if (order_.size() <= kLeaf) {
     nodes_.emplace_back();
     nodes_[0].least.fill(kInfinity);
-    boxes_.assign(2 * kFan * static_cast<std::size_t>(metric_.joints()), 0);
+    boxes_.assign(std::size_t{2} * kFan * static_cast<std::size_t>(metric_.joints()), 0);
     nodes_[0].child[0] = add_leaf(positions, {0, order_.size()});
     set_box(positions, 0, 0, {0, order_.size()});
   } else {
@@ -166,7 +166,8 @@ std::int32_t NeighbourTree::build(const Eigen::ArrayXXd& positions, Range range)
   const auto node = static_cast<std::int32_t>(nodes_.size());
   nodes_.emplace_back();
   nodes_.back().least.fill(kInfinity);
-  boxes_.resize(boxes_.size() + 2 * kFan * static_cast<std::size_t>(metric_.joints()), 0);
+  boxes_.resize(boxes_.size() + std::size_t{2} * kFan * static_cast<std::size_t>(metric_.joints()),
+                0);
   int slot = 0;
   for (const Range& part : split(positions, range)) {
     set_box(positions, node, slot, part);
