@@ -65,8 +65,9 @@ WRISTWISE_IN_CLONES void bound_children(const View& tree, std::int32_t node, con
                                         double* bounds) {
   Lanes sum;
   load(sum, tree.nodes[node].least.data());
-  const double* middle = tree.boxes + static_cast<std::ptrdiff_t>(node) * 2 * kFan * tree.joints;
-  const double* half = middle + kFan * tree.joints;
+  const std::ptrdiff_t length = std::ptrdiff_t{kFan} * tree.joints;
+  const double* middle = tree.boxes + 2 * length * node;
+  const double* half = middle + length;
   for (int j = 0; j < tree.joints; ++j, middle += kFan, half += kFan) {
     Lanes m, h, step;
     load(m, middle);
@@ -152,7 +153,7 @@ NeighbourTree::NeighbourTree(const Eigen::ArrayXXd& positions, const JointMetric
   if (order_.size() <= kLeaf) {
     nodes_.emplace_back();
     nodes_[0].least.fill(kInfinity);
-    boxes_.assign(static_cast<std::size_t>(2 * kFan * metric_.joints()), 0);
+    boxes_.assign(std::size_t{2} * kFan * static_cast<std::size_t>(metric_.joints()), 0);
     nodes_[0].child[0] = add_leaf(positions, {0, order_.size()});
     set_box(positions, 0, 0, {0, order_.size()});
   } else {
@@ -165,7 +166,8 @@ std::int32_t NeighbourTree::build(const Eigen::ArrayXXd& positions, Range range)
   const auto node = static_cast<std::int32_t>(nodes_.size());
   nodes_.emplace_back();
   nodes_.back().least.fill(kInfinity);
-  boxes_.resize(boxes_.size() + static_cast<std::size_t>(2 * kFan * metric_.joints()), 0);
+  boxes_.resize(boxes_.size() + std::size_t{2} * kFan * static_cast<std::size_t>(metric_.joints()),
+                0);
   int slot = 0;
   for (const Range& part : split(positions, range)) {
     set_box(positions, node, slot, part);
@@ -280,7 +282,7 @@ void NeighbourTree::start_from(Eigen::Index row, const double* target, const dou
       points_.data() + (place - lane) * static_cast<std::size_t>(metric_.joints()) + lane;
   double total = keys_[place];
   for (int j = 0; j < metric_.joints(); ++j) {
-    const double step = metric_.step(j, target[j], point[j * kLeaf]);
+    const double step = metric_.step(j, target[j], point[std::ptrdiff_t{kLeaf} * j]);
     if (max_step != nullptr && step > max_step[j]) return;
     total += metric_.weight[j] * (metric_.squared ? step * step : step);
   }

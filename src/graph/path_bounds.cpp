@@ -241,8 +241,9 @@ std::optional<Corridor> PathBounds::corridor(double limit, std::size_t widest) c
   parallel_for(landmarks_.size() - 1, threads_, [&](int worker, std::size_t k) {
     const std::size_t a = landmarks_[k], b = landmarks_[k + 1];
     if (b - a < 2) return;
-    fits[k] = fill(fill, a, source(a, stops[k], true), b, source(b, stops[k + 1], false),
-                   evaluated[static_cast<std::size_t>(worker)]);
+    const bool found = fill(fill, a, source(a, stops[k], true), b, source(b, stops[k + 1], false),
+                            evaluated[static_cast<std::size_t>(worker)]);
+    fits[k] = found ? 1 : 0;
   });
   evaluated_ = std::accumulate(evaluated.begin(), evaluated.end(), evaluated_);
   if (std::find(fits.begin(), fits.end(), 0) != fits.end()) return std::nullopt;

@@ -201,6 +201,7 @@ class Search {
     sort(enough);
     if (!enough.empty()) {
       std::vector<std::string> texts;
+      texts.reserve(enough.size());
       for (const Found& one : enough) texts.push_back(one.relaxation->text(one.step));
       if (texts.size() > kMostNamed) texts.resize(kMostNamed);
       return fmt::format("{} is enough for the whole seam", fmt::join(texts, ", or "));

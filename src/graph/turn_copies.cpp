@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "graph/joint_metric.hpp"
 
@@ -44,8 +45,9 @@ void append_copies(const Rung& rung, const EdgeRules& rules, JointVector q, Eige
   }
   const double value = q[joint];
   const TurnRange range = turn_range(rung, rules, joint, value);
-  for (double turn = range.first; turn <= range.last; ++turn) {
-    q[joint] = value + turn * rules.period[joint];
+  const auto count = static_cast<std::int64_t>(range.count());
+  for (std::int64_t k = 0; k < count; ++k) {
+    q[joint] = value + (range.first + static_cast<double>(k)) * rules.period[joint];
     append_copies(rung, rules, q, joint + 1, copies);
   }
 }
