@@ -197,5 +197,19 @@ TEST(Diagnosis, SaysHowFarTheTcpStrays) {
   EXPECT_EQ(plan.diagnosis->counts->astray, 1U);
 }
 
+/// The TCP goes 0.05 m from waypoint to waypoint.
+TEST(Diagnosis, NamesTheLimitOfTheToolsStep) {
+  Planning planning;
+  planning.options.max_tcp_step = 0.051;
+  EXPECT_TRUE(planning.plan().found);
+  planning.options.max_tcp_step = 0.049;
+  const GraphPlan plan = planning.plan();
+  EXPECT_FALSE(plan.found);
+  ASSERT_TRUE(plan.diagnosis.has_value());
+  EXPECT_EQ(plan.diagnosis->waypoint, 1U);
+  EXPECT_EQ(plan.diagnosis->counts->too_far, 1U);
+  EXPECT_TRUE(says(plan.diagnosis->detail, "max_tcp_step")) << plan.diagnosis->detail;
+}
+
 }  // namespace
 }  // namespace wristwise

@@ -53,12 +53,12 @@ TEST(MoveChecker, BlocksMovesThatStrayTooFar) {
 TEST(MoveChecker, BlocksStepsOfTheTcpThatAreTooLong) {
   const auto clearance = gantry::clearance(gantry::robot());
   const double any = gantry::kUnlimited;
-  MoveChecker by_step(straight_task(), clearance, {any, 0.3, any}, 5e-5, 1);
-  EXPECT_TRUE(by_step.is_clear(0, 1, posture(0, 0, 0, 0), posture(0.18, 0.24, 0, 3)));
-  EXPECT_FALSE(by_step.is_clear(0, 1, posture(0, 0, 0, 0), posture(0.18, 0.2401, 0, 0)));
-  MoveChecker by_turn(straight_task(), clearance, {any, any, 0.5}, 5e-5, 1);
-  EXPECT_TRUE(by_turn.is_clear(0, 1, posture(0, 0, 0, -0.3), posture(1, 0, 0, 0.2)));
-  EXPECT_FALSE(by_turn.is_clear(0, 1, posture(0, 0, 0, -0.3), posture(1, 0, 0, 0.201)));
+  const MoveChecker by_step(straight_task(), clearance, {any, 0.3, any}, 5e-5, 1);
+  EXPECT_FALSE(by_step.steps_too_far(posture(0, 0, 0, 0), posture(0.18, 0.24, 0, 3)));
+  EXPECT_TRUE(by_step.steps_too_far(posture(0, 0, 0, 0), posture(0.18, 0.2401, 0, 0)));
+  const MoveChecker by_turn(straight_task(), clearance, {any, any, 0.5}, 5e-5, 1);
+  EXPECT_FALSE(by_turn.steps_too_far(posture(0, 0, 0, -0.3), posture(1, 0, 0, 0.2)));
+  EXPECT_TRUE(by_turn.steps_too_far(posture(0, 0, 0, -0.3), posture(1, 0, 0, 0.201)));
 }
 
 /// The short cut through the pair that was too near last must not change an answer.

@@ -98,5 +98,37 @@ TEST(JointGrid, RefusesImpossibleSteps) {
   EXPECT_TRUE(test::says(message({1e-3, 1e-3, 1e-3}), "at most a million"));
 }
 
+TEST(SamplingGrid, OfTooManySamplesIsRefused) {
+  const auto message = [](double lower, double upper, double step) {
+    return test::invalid_input([&] { coordinate_samples(lower, upper, step); });
+  };
+  EXPECT_TRUE(test::says(message(-kFree, kFree, 1e-9), "at most a million"));
+  EXPECT_TRUE(test::says(message(-kFree, kFree, 1e-300), "at most a million"));
+  EXPECT_TRUE(test::says(message(-1, 1, 1e-7), "at most a million"));
+  ToleranceBox box;
+  box.lower << -0.1, -0.1, -0.1, 0, 0, 0;
+  box.upper = -box.lower;
+  EXPECT_TRUE(test::says(test::invalid_input([&] { sampling_grid(box, Vector6::Constant(1e-3)); }),
+                         "at most a million"));
+  EXPECT_EQ(sampling_grid(box, Vector6::Constant(0.1)).size(), 27U);
+}
+
+TEST(AutomaticStep, GivesAboutTheSamplesAskedFor) {
+  ToleranceBox box;
+  box.lower << 0, 0, -0.002, -0.3, -0.1, -kFree;
+  box.upper = -box.lower;
+  for (const int asked : {1, 100, 1000, 20000}) {
+    GraphOptions options;
+    options.automatic_samples = asked;
+    const auto grid = waypoint_grid(box, options);
+    if (asked >= 100) {
+      EXPECT_LE(grid.size(), static_cast<std::size_t>(asked));
+      EXPECT_GE(grid.size(), static_cast<std::size_t>(asked) / 3);
+    }
+  }
+  const Vector6 step = automatic_step(box, 1000);
+  EXPECT_EQ(step[3], step[5]);
+}
+
 }  // namespace
 }  // namespace wristwise

@@ -96,5 +96,28 @@ TEST(SparsePlanner, OfOneWaypoint) {
   EXPECT_EQ(plan.seeds.front().path.size(), 1U);
 }
 
+/// Between neighbouring points, too, a move must not stray: the last waypoint is out of line.
+TEST(SparsePlanner, KeepsMaxStrayBetweenNeighbouringPoints) {
+  Planning planning;
+  planning.options.max_stray = 0.01;
+  planning.task.waypoints.back().frame.translation().y() = 0.2;
+  const GraphPlan plan = plan_sparsely(planning);
+  EXPECT_FALSE(plan.found);
+  ASSERT_TRUE(plan.diagnosis.has_value());
+  EXPECT_EQ(plan.diagnosis->waypoint, 20U);
+  EXPECT_EQ(plan.diagnosis->counts->astray, 1U);
+}
+
+TEST(SparsePlanner, WithEagerChecksSaysWhyThereIsNoPath) {
+  Planning planning;
+  planning.options.collision_checks = CollisionChecks::eager;
+  planning.objects = {gantry::obstacle(Sphere{0.1}, 0.5, 0, 0)};
+  const GraphPlan plan = plan_sparsely(planning);
+  EXPECT_FALSE(plan.found);
+  ASSERT_TRUE(plan.diagnosis.has_value());
+  EXPECT_EQ(plan.diagnosis->reason, "collision");
+  EXPECT_EQ(plan.statistics.pieces.size(), 2U);
+}
+
 }  // namespace
 }  // namespace wristwise

@@ -28,8 +28,9 @@ class ClearanceModel {
 
   /// Links that move together, links joined by one joint, disabled pairs and what is outside the
   /// scope are left out; so are a fixed link and an object that are clear, as they stay so.
-  /// With scene.find_permanent_contacts pairs of bodies that are nearer than scene.clearance in
-  /// each of a fixed set of random postures are left out too (unless listed by
+  /// With scene.find_permanent_contacts pairs of links (an object counts with a fixed link only:
+  /// one that swallows the robot is no contact to live with) that are nearer than scene.clearance
+  /// in each of a fixed set of random postures are left out too (unless listed by
   /// CollisionScope::pairs); they are named by permanent_contacts().
   /// @throws InvalidInput where a listed name is unknown or a name given twice, a listed pair never
   /// moves, the clearance is negative or not finite, or a shape unusable. Unknown names among the

@@ -64,7 +64,7 @@ struct GraphStatistics {
   std::size_t postures_checked = 0;  ///< for clearance, before any move
   double edges = 0;                  ///< of the whole graph
   double edges_evaluated = 0;        ///< looked at
-  std::size_t collision_checks = 0;  ///< exact distance queries
+  std::size_t collision_checks = 0;  ///< exact distance queries; varies with the threads
   std::size_t edges_checked = 0;     ///< swept
   double edges_if_eager = 0;  ///< moves that an eager check would sweep: one per pair of postures
   double cost = 0;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "collision/body_pairs.hpp"
@@ -37,7 +38,9 @@ ClearanceModel::ClearanceModel(std::shared_ptr<const Robot> robot, const Scene& 
     const Body& body_b = bodies_[static_cast<std::size_t>(b)];
     const bool never_moves = body_a.joint == body_b.joint;
     if (never_moves && !near[i]) continue;
-    if (near[i] && scene.find_permanent_contacts) {
+    const std::size_t links = bodies_.size() - scene.objects.size();  // objects come last
+    const bool with_object = static_cast<std::size_t>(std::max(a, b)) >= links;
+    if (near[i] && scene.find_permanent_contacts && (never_moves || !with_object)) {
       permanent_contacts_.emplace_back(body_a.name, body_b.name);
       continue;
     }

@@ -234,6 +234,10 @@ CorridorSearch::Candidate CorridorSearch::best_allowed(std::size_t i, Eigen::Ind
 /// A move that is not known to be blocked; where the interval asks for it, known to be clear.
 bool CorridorSearch::is_allowed(std::size_t i, Eigen::Index u, Eigen::Index v, int worker,
                                 Scratch& scratch) {
+  if (rules_.is_near &&
+      !rules_.is_near(i, layers_[i].rung.vertex(u), layers_[i + 1].rung.vertex(v))) {
+    return false;
+  }
   if (!rules_.is_clear) return true;
   if (intervals_[i].check_all) return is_clear(i, u, v, worker, scratch.fresh);
   if (known_.moves(i).empty()) return true;

@@ -169,10 +169,15 @@ Diagnosis diagnose_search(const SamplingInput& input, const Task& task, const Gr
     const auto [joint, ratio] = slowest_joint(next, from, rules.max_step[last]);
     diagnosis.reason = "no_edge";
     diagnosis.detail += fmt::format(
-        "no posture can be reached in time from waypoint {}; the least demanding one needs {:.2f} "
+        "no posture can be reached in time from waypoint {}; the least demanding one needs {:.3g} "
         "times the speed of {}",
         last, ratio, joint_name(input.robot, joint));
     diagnosis.suggestion = "weld slower, sample finer, or widen the tolerance";
+  } else if (counts.too_far + counts.too_fast == counts.usable) {
+    diagnosis.reason = "no_edge";
+    diagnosis.detail += fmt::format(
+        "from waypoint {} no posture is within graph.max_tcp_step and graph.max_tcp_turn", last);
+    diagnosis.suggestion = "raise graph.max_tcp_step or max_tcp_turn, or use more waypoints";
   } else if (const auto pair =
                  blocking_pair(input, from, next.vertex(nearest), clearance_epsilon)) {
     diagnosis.reason = "collision";

@@ -49,7 +49,11 @@ class GraphPlanner {
     } else {
       run_dense();
     }
-    if (!plan_.found && plan_.diagnosis && plan_.diagnosis->waypoint) look_for_help();
+    const bool explained = input_.options.planner == Planner::sparse;
+    if (!plan_.found && !explained && plan_.diagnosis && plan_.diagnosis->waypoint) {
+      look_for_help();
+    }
+    describe_best();
     return std::move(plan_);
   }
 
@@ -91,11 +95,8 @@ class GraphPlanner {
     const bool complete = best.found && rungs.size() == task_.waypoints.size();
     plan_.found = complete;
     plan_.statistics.first_cost = best.cost;
-    if (best.found && !complete) return record(best);
-    if (!best.found) {
-      plan_.diagnosis = diagnose_search(input_, task_, search, best, epsilon_);
-      return record(best);
-    }
+    if (!best.found) plan_.diagnosis = diagnose_search(input_, task_, search, best, epsilon_);
+    if (!complete) return record(best, 0);
     std::vector<DistinctPath> paths = {{std::move(best), 0}};
     if (input_.options.seeds > 1) {
       const LadderPath first = paths.front().path;
@@ -105,10 +106,7 @@ class GraphPlanner {
     }
     for (DistinctPath& path : paths) {
       if (input_.options.coarse_to_fine) refine(search, path);
-      if (plan_.seeds.empty())
-        record(path.path);
-      else
-        plan_.seeds.push_back(seed(path.path, path.differs_at));
+      record(path.path, path.differs_at);
     }
     std::stable_sort(plan_.seeds.begin(), plan_.seeds.end(),
                      [](const Seed& a, const Seed& b) { return a.cost < b.cost; });
@@ -155,7 +153,8 @@ class GraphPlanner {
     plan_.statistics.sparse_points = sparse.points.size();
     plan_.statistics.replans = sparse.replans;
     plan_.statistics.postures = sparse.postures;
-    record(sparse.path);
+    plan_.statistics.collision_checks = sparse.queries;
+    record(sparse.path, 0);
     if (!plan_.found) explain_sparse();
   }
 
@@ -166,6 +165,8 @@ class GraphPlanner {
     const SamplingInput dense{input_.robot, input_.ik, input_.clearance, input_.cost, options};
     const GraphPlan plan = GraphPlanner(dense, task_, epsilon_, threads_, monitor_, timing_).run();
     plan_.diagnosis = plan.diagnosis;
+    plan_.statistics.pieces = plan.statistics.pieces;
+    if (!plan.found) plan_.seeds = plan.seeds;
     if (plan_.diagnosis || !plan.found) return;
     plan_.diagnosis = Diagnosis{std::nullopt, "no_edge", "the sparse planner found no path",
                                 "use planner: dense, which finds one"};
@@ -182,22 +183,29 @@ class GraphPlanner {
     return seed;
   }
 
-  void record(const LadderPath& path) {
+  void record(const LadderPath& path, std::size_t differs_at) {
+    if (plan_.seeds.empty()) {
+      GraphStatistics& statistics = plan_.statistics;
+      statistics.vertices = path.statistics.vertices;
+      statistics.edges = path.statistics.edges;
+      statistics.edges_evaluated = path.statistics.edges_evaluated;
+      statistics.postures_checked = path.statistics.usable_checks;
+      statistics.edges_checked = path.statistics.clear_checks;
+    }
+    plan_.seeds.push_back(seed(path, differs_at));
+  }
+
+  /// Of the first seed, which becomes the path.
+  void describe_best() {
+    if (plan_.seeds.empty() || plan_.seeds.front().path.positions.empty()) return;
     GraphStatistics& statistics = plan_.statistics;
-    statistics.vertices = path.statistics.vertices;
-    statistics.edges = path.statistics.edges;
-    statistics.edges_evaluated = path.statistics.edges_evaluated;
-    statistics.postures_checked = path.statistics.usable_checks;
-    statistics.edges_checked = path.statistics.clear_checks;
-    statistics.cost = path.cost;
-    for (std::size_t i = 1; i < path.positions.size(); ++i) {
-      statistics.joint_motion_l1 += (path.positions[i] - path.positions[i - 1]).lpNorm<1>();
+    const std::vector<JointVector>& q = plan_.seeds.front().path.positions;
+    statistics.cost = plan_.seeds.front().cost;
+    for (std::size_t i = 1; i < q.size(); ++i) {
+      statistics.joint_motion_l1 += (q[i] - q[i - 1]).lpNorm<1>();
     }
-    if (!path.positions.empty()) {
-      statistics.first_turns = turns(path.positions.front());
-      statistics.last_turns = turns(path.positions.back());
-    }
-    plan_.seeds.push_back(seed(path, 0));
+    statistics.first_turns = turns(q.front());
+    statistics.last_turns = turns(q.back());
   }
 
   std::vector<int> turns(const JointVector& q) const {

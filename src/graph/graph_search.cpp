@@ -1,16 +1,18 @@
 #include "graph/graph_search.hpp"
 
+#include <utility>
+
 namespace wristwise {
 
 GraphSearch::GraphSearch(const SamplingInput& input, const Task& task, double epsilon, int threads,
-                         const Monitor& monitor, Moves moves)
+                         const Monitor& monitor)
     : moves_(task, input.clearance,
              {input.options.max_stray, input.options.max_tcp_step, input.options.max_tcp_turn},
              epsilon, threads),
       threads_(threads),
       monitor_(monitor) {
   set_costs(input.cost, input.robot.joint_count());
-  set_filters(input, task, moves);
+  set_filters(input, task);
 }
 
 void GraphSearch::set_costs(const CostOptions& cost, int joints) {
@@ -23,7 +25,7 @@ void GraphSearch::set_costs(const CostOptions& cost, int joints) {
   rules_.edge_cost = cost.edge_cost;
 }
 
-void GraphSearch::set_filters(const SamplingInput& input, const Task& task, Moves moves) {
+void GraphSearch::set_filters(const SamplingInput& input, const Task& task) {
   rules_.period = turn_periods(input.robot, input.options.turns);
   rules_.lower = input.robot.lower_limits();
   rules_.upper = input.robot.upper_limits();
@@ -37,11 +39,32 @@ void GraphSearch::set_filters(const SamplingInput& input, const Task& task, Move
       return moves_.has_clearance(worker, rung, q);
     };
   }
-  if (moves == Moves::unchecked || !(measured || moves_.limits().any())) return;
+  if (moves_.limits().steps()) {
+    rules_.is_near = [this](std::size_t, const JointVector& from, const JointVector& to) {
+      return !moves_.steps_too_far(from, to);
+    };
+  }
+  if (!measured && !moves_.limits().strays()) return;
   rules_.is_clear = [this](int worker, std::size_t interval, const JointVector& from,
                            const JointVector& to) {
     return moves_.is_clear(worker, interval, from, to);
   };
+}
+
+void GraphSearch::check_moves_only_in(std::vector<bool> intervals) {
+  if (rules_.is_near) {
+    rules_.is_near = [is_near = rules_.is_near, intervals](
+                         std::size_t interval, const JointVector& from, const JointVector& to) {
+      return !intervals[interval] || is_near(interval, from, to);
+    };
+  }
+  if (rules_.is_clear) {
+    rules_.is_clear = [is_clear = rules_.is_clear, intervals = std::move(intervals)](
+                          int worker, std::size_t interval, const JointVector& from,
+                          const JointVector& to) {
+      return !intervals[interval] || is_clear(worker, interval, from, to);
+    };
+  }
 }
 
 void GraphSearch::slow_down(double factor) {

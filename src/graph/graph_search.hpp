@@ -15,12 +15,12 @@ struct SearchTooLong {};
 /// and moves checked for clearance.
 class GraphSearch {
  public:
-  enum class Moves { checked, unchecked };
-
   /// @param epsilon m, of the swept clearance check
-  /// @param moves unchecked: only the step limit filters moves
   GraphSearch(const SamplingInput& input, const Task& task, double epsilon, int threads,
-              const Monitor& monitor, Moves moves = Moves::checked);
+              const Monitor& monitor);
+
+  /// Leaves it to the step limit alone which moves there are in some intervals.
+  void check_moves_only_in(std::vector<bool> intervals);
 
   /// As if the seam were run slower by this factor, as far as joint speeds are concerned.
   void slow_down(double factor);
@@ -41,7 +41,7 @@ class GraphSearch {
 
  private:
   void set_costs(const CostOptions& cost, int joints);
-  void set_filters(const SamplingInput& input, const Task& task, Moves moves);
+  void set_filters(const SamplingInput& input, const Task& task);
 
   MoveChecker moves_;
   EdgeRules rules_;

@@ -23,6 +23,10 @@ struct EdgeRules {
   /// a joint with a period lie in [-period/2, period/2]. Empty: no joint has copies.
   JointVector period, lower, upper;
 
+  /// Whether a move is short enough in a sense that whole turns do not change: cheap, asked for
+  /// every move that may matter. Called from several threads. Empty: every one is.
+  std::function<bool(std::size_t interval, const JointVector& from, const JointVector& to)> is_near;
+
   /// Whether a configuration, or the move between two, can be used; asked only for those that
   /// matter. Empty: every one can. Called from several threads, with a worker index below the
   /// number of threads. Turning a joint by whole turns (both ends of a move by the same) must not

@@ -29,9 +29,8 @@ MoveChecker::MoveChecker(const Task& task, const std::shared_ptr<const Clearance
   }
 }
 
-bool MoveChecker::Limits::any() const {
-  return stray < kInfinity || tcp_step < kInfinity || tcp_turn < kInfinity;
-}
+bool MoveChecker::Limits::steps() const { return tcp_step < kInfinity || tcp_turn < kInfinity; }
+bool MoveChecker::Limits::strays() const { return stray < kInfinity; }
 
 MoveChecker::Stretch MoveChecker::stretch(const Task& task, std::size_t interval) {
   const auto tolerance = task.tolerance_between(interval);
@@ -46,7 +45,6 @@ MoveChecker::Stretch MoveChecker::stretch(const Task& task, std::size_t interval
 
 bool MoveChecker::is_clear(int worker, std::size_t interval, const JointVector& from,
                            const JointVector& to) {
-  if (steps_too_far(from, to)) return false;
   if (limits_.stray < kInfinity && stray(interval, from, to) > limits_.stray) return false;
   Worker& own = workers_[static_cast<std::size_t>(worker)];
   if (own.checker.model().pairs().empty()) return true;

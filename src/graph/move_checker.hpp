@@ -16,7 +16,8 @@ class MoveChecker {
     double stray = 0;     ///< m, of the TCP from the seam; infinity: any
     double tcp_step = 0;  ///< m, of the TCP from waypoint to waypoint; infinity: any
     double tcp_turn = 0;  ///< rad, likewise
-    bool any() const;
+    bool steps() const;   ///< are limited
+    bool strays() const;  ///< are limited
   };
 
   /// @param epsilon m, of the swept clearance check
@@ -27,7 +28,7 @@ class MoveChecker {
   /// about different waypoints.
   bool has_clearance(int worker, std::size_t waypoint, const JointVector& q);
 
-  /// The move from a posture at waypoint `interval` to one at the next.
+  /// The move from a posture at waypoint `interval` to one at the next, steps_too_far left aside.
   /// Does not depend on the worker (below `threads`), nor on what was asked before.
   bool is_clear(int worker, std::size_t interval, const JointVector& from, const JointVector& to);
 

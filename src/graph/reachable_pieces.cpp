@@ -13,7 +13,7 @@ std::vector<std::pair<std::size_t, std::size_t>> reachable_pieces(const Sampling
   const SampledPath sampled = sample_path(input, task, threads, {});
   const Monitor quiet;
   std::vector<std::pair<std::size_t, std::size_t>> pieces;
-  if (reached > 0) pieces.emplace_back(0, reached - 1);
+  if (reached > 1) pieces.emplace_back(0, reached - 1);
   for (std::size_t start = reached; start < task.waypoints.size();) {
     throw_if_cancelled(monitor);
     std::vector<Rung> rungs;
@@ -27,7 +27,7 @@ std::vector<std::pair<std::size_t, std::size_t>> reachable_pieces(const Sampling
       GraphSearch search(own, rest.task, epsilon, threads, quiet);
       count = search.find_path(rungs).positions.size();
     }
-    if (count > 0) pieces.emplace_back(start, start + count - 1);
+    if (count > 1) pieces.emplace_back(start, start + count - 1);
     start += count > 0 ? count : 1;
   }
   return pieces;

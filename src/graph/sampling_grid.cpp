@@ -11,13 +11,19 @@ namespace wristwise {
 
 namespace {
 
+constexpr double kMostSamples = 1e6;  // of a waypoint
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDefaultFreeStep = 10 * kPi / 180;
-constexpr double kMostPostures = 1e6;
 
 /// ceil, but a quotient that is whole up to round-off counts as whole.
 int intervals(double width, double step) {
-  return std::max(1, static_cast<int>(std::ceil(width / step - 1e-9)));
+  const double count = std::ceil(width / step - 1e-9);
+  if (!(count <= kMostSamples)) {
+    throw InvalidInput("graph.samples",
+                       fmt::format("a step of {:g} makes {:.3g} samples", step, count),
+                       "at most a million at a waypoint");
+  }
+  return std::max(1, static_cast<int>(count));
 }
 
 std::vector<double> free_samples(double step) {
@@ -72,7 +78,7 @@ void check_grid_size(const JointBox& box, const std::vector<double>& step) {
     const double width = box.upper[j] - box.lower[j];
     if (width > 0) count *= s > 0 ? width / s + 1 : 3;
   }
-  if (!(count <= kMostPostures))
+  if (!(count <= kMostSamples))
     throw InvalidInput("graph.samples.joints",
                        fmt::format("a joint waypoint has about {:.3g} samples", count),
                        "at most a million: larger steps, or ranges for fewer joints");
@@ -130,7 +136,12 @@ std::vector<Vector6> waypoint_grid(const ToleranceBox& box, const GraphOptions& 
 std::vector<Vector6> sampling_grid(const ToleranceBox& box, const Vector6& step) {
   std::vector<Vector6> grid = {Vector6::Zero()};
   for (int k = 0; k < 6; ++k) {
-    multiply(grid, k, coordinate_samples(box.lower[k], box.upper[k], step[k]));
+    const auto samples = coordinate_samples(box.lower[k], box.upper[k], step[k]);
+    if (static_cast<double>(grid.size()) * static_cast<double>(samples.size()) > kMostSamples) {
+      throw InvalidInput("graph.samples", "the steps together make too many samples",
+                         "at most a million at a waypoint");
+    }
+    multiply(grid, k, samples);
   }
   return grid;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -121,7 +122,7 @@ class SmallerClearance : public Relaxation {
 
 class SlowerWeld : public Relaxation {
  public:
-  int steps() const override { return 40; }
+  int steps() const override { return 100; }
   double effort(int step) const override { return 0.5 * step; }
   bool apply(int step, Trial& trial) const override {
     trial.slower = factor(step);
@@ -255,11 +256,21 @@ class Search {
     return relaxation.apply(step, trial) && is_feasible(trial);
   }
 
+  /// Infinite where that is more than a waypoint may have.
+  static double sample_count(const Trial& trial) {
+    const std::vector<Waypoint>& waypoints = trial.part.task.waypoints;
+    try {
+      return static_cast<double>(waypoints.size()) *
+             static_cast<double>(waypoint_grid(waypoints.front().tolerance, trial.options).size());
+    } catch (const InvalidInput&) {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+
   bool is_feasible(const Trial& trial) {
     const SamplingInput input{input_.robot, input_.ik, trial.clearance, trial.part.cost,
                               trial.options};
-    const auto grid = waypoint_grid(trial.part.task.waypoints.front().tolerance, trial.options);
-    if (grid.size() * trial.part.task.waypoints.size() > kMostSamples) return false;
+    if (sample_count(trial) > static_cast<double>(kMostSamples)) return false;
     const SampledPath sampled = sample_path(input, trial.part.task, 1, {});
     for (const Rung& rung : sampled.rungs) {
       if (rung.size() == 0) return false;

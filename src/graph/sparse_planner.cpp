@@ -43,11 +43,12 @@ class SparsePlan {
         fill(path);
       } else if (!split_before(path.positions.size())) {
         result_.path.found = false;
-        return std::move(result_);
+        result_.path.positions.clear();  // of points only
+        break;
       }
       if (points_.size() == before) break;
     }
-    set_cost();
+    finish();
     return std::move(result_);
   }
 
@@ -56,20 +57,24 @@ class SparsePlan {
     const std::vector<std::size_t> points(points_.begin(), points_.end());
     const SubTask some = sub_task(task_, input_.cost, points);
     const SamplingInput input{input_.robot, input_.ik, input_.clearance, some.cost, input_.options};
-    // The straight moves between points are no moves to be made: they are projected first.
-    GraphSearch search(
-        input, some.task, epsilon_, threads_, monitor_,
-        every_waypoint() ? GraphSearch::Moves::checked : GraphSearch::Moves::unchecked);
+    // Straight moves between points that are not neighbours are no moves to be made: they are
+    // projected first.
+    GraphSearch search(input, some.task, epsilon_, threads_, monitor_);
+    std::vector<bool> are_neighbours;
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      are_neighbours.push_back(points[k] == points[k - 1] + 1);
+    }
+    search.check_moves_only_in(std::move(are_neighbours));
     const std::vector<Rung> rungs = rungs_of(points);
     LadderPath path;
     if (!rungs.empty()) path = search.find_path(rungs);
+    path.found = path.found && rungs.size() == points.size();
+    result_.queries += search.moves().queries();
     add(path.statistics);
     result_.path.found = path.found;
     result_.path.positions = path.positions;
     return path;
   }
-
-  bool every_waypoint() const { return points_.size() == task_.waypoints.size(); }
 
   /// Samples the points that are new; only those before the first without a vertex.
   std::vector<Rung> rungs_of(const std::vector<std::size_t>& points) {
@@ -172,7 +177,15 @@ class SparsePlan {
   bool can_move(std::size_t interval, const JointVector& from, const JointVector& to) {
     const EdgeRules& rules = dense_.rules();
     if (((to - from).cwiseAbs().array() > rules.max_step[interval].array()).any()) return false;
+    if (rules.is_near && !rules.is_near(interval, from, to)) return false;
+    ++result_.moves;
     return !rules.is_clear || rules.is_clear(0, interval, from, to);
+  }
+
+  void finish() {
+    result_.queries += dense_.moves().queries();
+    result_.path.statistics.clear_checks += result_.moves;
+    set_cost();
   }
 
   void set_cost() {

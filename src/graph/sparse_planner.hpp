@@ -7,10 +7,12 @@
 namespace wristwise {
 
 struct SparsePath {
-  LadderPath path;                  ///< at every waypoint; partial where not found
+  LadderPath path;                  ///< at every waypoint; none where not found
   std::vector<std::size_t> points;  ///< waypoints that were planned
   int replans = 0;                  ///< searches after the first
   std::size_t postures = 0;         ///< on the rungs of the points
+  std::size_t moves = 0;            ///< between waypoints that were checked
+  std::size_t queries = 0;          ///< exact distance queries
 };
 
 /// Plans some of the waypoints and joins them by straight joint-space moves, projected into the

@@ -98,6 +98,7 @@ GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
   if (const auto samples = reader.find("automatic_samples")) {
     if (reader.find("samples")) samples->fail("samples are given too", "one of the two");
     graph.automatic_samples = samples->whole_number(1);
+    if (graph.automatic_samples > 1000000) samples->fail("too many", "at most a million");
   }
   if (const auto finer = reader.find("coarse_to_fine"))
     graph.coarse_to_fine = finer->choice({"true", "false"}) == "true";
