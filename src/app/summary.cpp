@@ -50,9 +50,9 @@ std::string graph_lines(const PlanResult& result) {
       {"turns, first and last", fmt::format("{} and {}", fmt::join(graph.first_turns, " "),
                                             fmt::join(graph.last_turns, " "))}};
   if (graph.grid_rounds > 0) {
-    rows.push_back({"coarse to fine", fmt::format("cost {} before, {} searches",
-                                                  short_number(graph.first_cost),
-                                                  graph.grid_rounds)});
+    rows.push_back(
+        {"coarse to fine", fmt::format("cost {} before, {} searches",
+                                       short_number(graph.first_cost), graph.grid_rounds)});
   }
   if (graph.sparse_points > 0) {
     rows.push_back({"sparse", fmt::format("{} waypoints planned, {} replans", graph.sparse_points,
