@@ -132,6 +132,21 @@ TEST(Diagnosis, FindsTheSmallestWiderTolerance) {
   EXPECT_FALSE(planning.plan().found);
 }
 
+/// A coordinate that was held has no step yet: the suggestion names the one that was tried.
+TEST(Diagnosis, NamesTheStepOfACoordinateThatWasHeld) {
+  Planning planning = past_a_post();
+  planning.objects[0].shapes[0].pose.translation().y() = 0.13;  // y < -0.02 is clear
+  const GraphPlan plan = planning.plan();
+  ASSERT_TRUE(plan.diagnosis.has_value());
+  EXPECT_TRUE(says(plan.diagnosis->suggestion, "y +-20.5 mm instead of 0 mm"))
+      << plan.diagnosis->suggestion;
+  EXPECT_FALSE(plan.found);
+  const std::string& text = plan.diagnosis->suggestion;
+  ASSERT_TRUE(says(text, "graph.samples.y"));
+  planning.allow(1, 0.0205, std::stod(text.substr(text.find("samples.y") + 10)) / 1000);
+  EXPECT_TRUE(planning.plan().found);
+}
+
 /// A wall along the seam at 0.06 m from the ball, of which 0.08 m are required.
 TEST(Diagnosis, FindsTheSmallestClearanceToGiveUp) {
   Planning planning;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "disjoint_sets.hpp"
 
 namespace wristwise {
 
@@ -44,21 +45,6 @@ Eigen::Index sweep_joint(const Rung& rung, const JointVector& period) {
   }
   return best;
 }
-
-class Regions {
- public:
-  explicit Regions(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 /// A rung on which paths may differ.
 struct Place {
@@ -104,17 +90,17 @@ std::vector<int> find_regions(const Rung& rung, const JointVector& period, doubl
     return rung.positions(a, joint) < rung.positions(b, joint);
   });
   const bool sweeps = std::isinf(period[joint]);
-  Regions regions(order.size());
+  DisjointSets regions(order.size());
   for (std::size_t a = 0; a < order.size(); ++a) {
     for (std::size_t b = a + 1; b < order.size(); ++b) {
       const double ahead = rung.positions(order[b], joint) - rung.positions(order[a], joint);
       if (sweeps && ahead > gap) break;
-      if (regions.root(a) == regions.root(b)) continue;
-      if (are_neighbours(rung, order[a], order[b], period, gap)) regions.join(a, b);
+      if (regions.find(a) == regions.find(b)) continue;
+      if (are_neighbours(rung, order[a], order[b], period, gap)) regions.unite(a, b);
     }
   }
   for (std::size_t k = 0; k < order.size(); ++k) {
-    region[static_cast<std::size_t>(order[k])] = static_cast<int>(regions.root(k));
+    region[static_cast<std::size_t>(order[k])] = static_cast<int>(regions.find(k));
   }
   return region;
 }

@@ -54,7 +54,10 @@ std::string range_text(int coordinate, double lower, double upper) {
 
 class WiderTolerance : public Relaxation {
  public:
-  WiderTolerance(int coordinate, const ToleranceBox& box) : coordinate_(coordinate), box_(box) {}
+  WiderTolerance(int coordinate, const ToleranceBox& box, const GraphOptions& options)
+      : coordinate_(coordinate),
+        box_(box),
+        has_step_(options.automatic_samples > 0 || options.step[coordinate] > 0) {}
 
   int steps() const override { return coordinate_ < 3 ? 60 : 45; }
   double effort(int step) const override { return coordinate_ < 3 ? 0.5 * step : 0.3 * step; }
@@ -66,9 +69,7 @@ class WiderTolerance : public Relaxation {
         waypoint.tolerance = wider(waypoint.tolerance, step);
         waypoint.tolerance.validate("");
       }
-      double& size = trial.options.step[coordinate_];
-      const ToleranceBox box = wider(box_, step);
-      if (size == 0) size = (box.upper[coordinate_] - box.lower[coordinate_]) / kIntervals;
+      if (!has_step_) trial.options.step[coordinate_] = step_size(step);
     } catch (const InvalidInput&) {
       return false;
     }
@@ -77,14 +78,19 @@ class WiderTolerance : public Relaxation {
 
   std::string text(int step) const override {
     const ToleranceBox box = wider(box_, step);
-    return fmt::format("{} {} instead of {}",
-                       kCoordinateNames[static_cast<std::size_t>(coordinate_)],
-                       range_text(coordinate_, box.lower[coordinate_], box.upper[coordinate_]),
-                       range_text(coordinate_, box_.lower[coordinate_], box_.upper[coordinate_]));
+    const char* const name = kCoordinateNames[static_cast<std::size_t>(coordinate_)];
+    const std::string change =
+        fmt::format("{} {} instead of {}", name,
+                    range_text(coordinate_, box.lower[coordinate_], box.upper[coordinate_]),
+                    range_text(coordinate_, box_.lower[coordinate_], box_.upper[coordinate_]));
+    if (has_step_) return change;
+    return fmt::format("{} (and graph.samples.{} {})", change, name,
+                       coordinate_ < 3 ? fmt::format("{:.4g} mm", 1e3 * step_size(step))
+                                       : fmt::format("{:.4g} deg", step_size(step) / kDegree));
   }
 
  private:
-  static constexpr int kIntervals = 8;  // of a coordinate that was held
+  static constexpr int kIntervals = 8;  // of a coordinate without a step
 
   ToleranceBox wider(ToleranceBox box, int step) const {
     const double by = step * (coordinate_ < 3 ? 5e-4 : kDegree);
@@ -93,8 +99,14 @@ class WiderTolerance : public Relaxation {
     return box;
   }
 
+  double step_size(int step) const {
+    const ToleranceBox box = wider(box_, step);
+    return (box.upper[coordinate_] - box.lower[coordinate_]) / kIntervals;
+  }
+
   int coordinate_;
   ToleranceBox box_;
+  bool has_step_;
 };
 
 class SmallerClearance : public Relaxation {
@@ -178,7 +190,7 @@ class Search {
     const ToleranceBox& box = task.waypoints[failing].tolerance;
     all_.push_back(std::make_unique<FinerSamples>(input.options));
     for (int k = 0; k < 6 && !task.waypoints[failing].joints; ++k) {
-      if (!box.is_free(k)) all_.push_back(std::make_unique<WiderTolerance>(k, box));
+      if (!box.is_free(k)) all_.push_back(std::make_unique<WiderTolerance>(k, box, input.options));
     }
     if (!input.clearance->pairs().empty() && input.clearance->clearance() > 0) {
       all_.push_back(std::make_unique<SmallerClearance>(input.clearance));
