@@ -79,7 +79,7 @@ class WiderTolerance : public Relaxation {
   std::string text(int step) const override {
     const ToleranceBox box = wider(box_, step);
     const char* const name = kCoordinateNames[static_cast<std::size_t>(coordinate_)];
-    const std::string change =
+    std::string change =
         fmt::format("{} {} instead of {}", name,
                     range_text(coordinate_, box.lower[coordinate_], box.upper[coordinate_]),
                     range_text(coordinate_, box_.lower[coordinate_], box_.upper[coordinate_]));
