@@ -213,7 +213,7 @@ inline std::string problem_text(const RandomSeam& seam, Random& random) {
       << "\n  speed: " << seam.speed << "\n  waypoints: " << random.whole(25, 60)
       << "\n  segments:\n"
       << segments(seam, random) << tolerances(seam, random)
-      << "graph: {samples: {rx: 5 deg, ry: 5 deg, rz: 10 deg}, try_relaxations: false}\n";
+      << "graph: {automatic_samples: 400, try_relaxations: false}\n";
   return out.str();
 }
 
