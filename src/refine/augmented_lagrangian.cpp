@@ -91,6 +91,20 @@ Ending AugmentedLagrangian::solve(const Accuracy& accuracy, const Stop& stop) {
   return Ending::out_of_rounds;
 }
 
+void AugmentedLagrangian::start_near(double stray, const Accuracy& accuracy, const Stop& stop) {
+  const Spline start = spline_;
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    add_near_pairs_everywhere();
+    minimise_once(accuracy.inner, stop);
+    measure();
+    if (getenv("WW_TRACE")) fprintf(stderr,"start mu %.3g J %.8g viol %.3g rate %.3g\n", places_.mu, terms().total(), places_.violation, rates_.violation);
+    if (places_.violation <= stray || stop.requested()) break;
+    spline_ = start;
+    places_.first_mu = places_.mu *= kGrowth;
+  }
+  update_multipliers();
+}
+
 void AugmentedLagrangian::add_near_pairs_everywhere() {
   for (PointConstraint& point : points_) {
     add_near_pairs(point, checker_, spline_.evaluate(point.time), required_, kBand);

@@ -33,6 +33,9 @@ class AugmentedLagrangian {
                       ClearanceChecker& checker, Spline start, double first_mu);
   void set_first_mu(double mu) { places_.first_mu = places_.mu = mu; }
 
+  /// The first round, at a mu large enough that nothing is violated by more than `stray` (m, rad).
+  void start_near(double stray, const Accuracy& accuracy, const Stop& stop);
+
   /// Rounds of inner minimisation and multiplier updates, until the accuracy is reached.
   Ending solve(const Accuracy& accuracy, const Stop& stop);
 

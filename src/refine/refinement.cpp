@@ -30,6 +30,7 @@ constexpr int kSamplesBetween = 10;
 constexpr int kMostSplits = 6;
 constexpr double kShortestSpan = 0.02;  ///< of the first spacing
 constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8};
+static double kStray = 1e-2;
 
 /// How far the direction of travel turns along the waypoints, rad.
 double seam_turning(const Task& task) {
@@ -62,14 +63,17 @@ class Attempt {
                     fit_spline(seed, levels_.front(), seed_smoothing()), 1) {
     const double objective = std::max(lagrangian_.terms().total(), 1e-6 / duration_);
     lagrangian_.set_first_mu(start_share * objective);
+    if (getenv("WW_STRAY")) kStray = atof(getenv("WW_STRAY"));
   }
 
   Refined run() {
     for (std::size_t level = 0; level + 1 < levels_.size(); ++level) {
       place_points(level);
+      if (level == 0) lagrangian_.start_near(kStray, kCoarse, stop_);
       if (lagrangian_.solve(kCoarse, stop_) == Ending::stopped) return finish("stopped");
     }
     place_points(levels_.size() - 1);
+    if (levels_.size() == 1) lagrangian_.start_near(kStray, kCoarse, stop_);
     const Ending ending = solve_finely();
     switch (ending) {
       case Ending::converged:
