@@ -9,6 +9,7 @@
 #include "parallel.hpp"
 #include "refine/seed_refinement.hpp"
 #include "stopwatch.hpp"
+#include "verify/pace_check.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
@@ -202,6 +203,13 @@ class Pipeline {
   PlanResult result_;
 };
 
+template <class Motion>
+Verification check_along(const Problem& problem, const Task& task, const Motion& motion,
+                         const PlanOptions& options) {
+  return verify(task, std::make_shared<const ClearanceModel>(problem.robot, problem.scene), motion,
+                verification_options(problem, options));
+}
+
 }  // namespace
 
 PlanResult plan(const Problem& problem, const PlanOptions& options) {
@@ -217,14 +225,31 @@ PlanResult smooth(const Problem& problem, const JointPath& path, const PlanOptio
 }
 
 Verification check(const Problem& problem, const JointPath& path, const PlanOptions& options) {
-  return verify(problem.task, std::make_shared<const ClearanceModel>(problem.robot, problem.scene),
-                path, verification_options(problem, options));
+  return check_along(problem, problem.task, path, options);
 }
 
 Verification check(const Problem& problem, const Trajectory& trajectory,
                    const PlanOptions& options) {
-  return verify(problem.task, std::make_shared<const ClearanceModel>(problem.robot, problem.scene),
-                trajectory, verification_options(problem, options));
+  return check_along(problem, problem.task, trajectory, options);
+}
+
+Verification check(const Problem& problem, const TrajectoryFile& file, const PlanOptions& options) {
+  Task task = problem.task;
+  if (file.seam_time) {
+    Verification unusable;
+    unusable.failures = law_failures(problem.task, *file.seam_time);
+    unusable.run = true;
+    if (!unusable.failures.empty()) return unusable;
+    task = problem.task.retimed(*file.seam_time);
+  }
+  Verification result = file.trajectory ? check_along(problem, task, *file.trajectory, options)
+                                        : check_along(problem, task, file.path, options);
+  if (file.seam_time) {
+    for (const std::string& line : pace_failures(problem.task, task))
+      result.failures.push_back(line);
+  }
+  result.passed = result.failures.empty();
+  return result;
 }
 
 }  // namespace wristwise

@@ -10,6 +10,7 @@
 #include "wristwise/monitor.hpp"
 #include "wristwise/problem.hpp"
 #include "wristwise/trajectory.hpp"
+#include "wristwise/trajectory_file.hpp"
 #include "wristwise/verification.hpp"
 
 namespace wristwise {
@@ -122,6 +123,7 @@ struct PlanResult {
   std::vector<Seed> seeds;  ///< of stage 1, distinct, the best first
   JointPath path;           ///< at the waypoints; may be partial where there is no solution
   Trajectory trajectory;    ///< the curve; empty in graph-only mode
+  Trajectory seam_time;     ///< the time law it runs the seam by; empty: that of the problem
   GraphStatistics graph;
   RefineStatistics refine;
   Verification verification;
@@ -145,6 +147,12 @@ PlanResult smooth(const Problem& problem, const JointPath& path, const PlanOptio
 /// The independent check of any trajectory; no planning.
 Verification check(const Problem& problem, const JointPath& path, const PlanOptions& options = {});
 Verification check(const Problem& problem, const Trajectory& trajectory,
+                   const PlanOptions& options = {});
+
+/// Of what a file holds. Where it has a time law of the seam that law counts, in place of the
+/// problem's: it may not run back, faster than the weld speed or, unless the problem says so
+/// there, slower.
+Verification check(const Problem& problem, const TrajectoryFile& file,
                    const PlanOptions& options = {});
 
 }  // namespace wristwise

@@ -13,16 +13,24 @@ namespace wristwise::app {
 
 namespace {
 
-std::size_t waypoint_count(const PlanResult& result, const Problem& problem) {
-  return result.mode == Mode::smooth ? result.path.size() : problem.task.waypoints.size();
+/// m, without run-in and run-out.
+double weld_length(const Task& task) {
+  const double start = task.seam.nominal_time(task.weld_start());
+  const double end = task.seam.nominal_time(task.weld_end());
+  double length = 0;
+  for (const SeamPiece& piece : task.seam.pieces()) {
+    const double middle = 0.5 * (piece.start_time + piece.end_time);
+    if (middle > start && middle < end) length += piece.length();
+  }
+  return length;
 }
 
 std::string headline(const PlanResult& result, const Problem& problem) {
-  const Seam& seam = problem.task.seam;
+  const Task& task = problem.task;
   return fmt::format(
       "{}: {} ({}, {} waypoints, {} m in {} s)\n", problem.name.empty() ? "problem" : problem.name,
       status_name(result.status), mode_name(result.mode), waypoint_count(result, problem),
-      short_number(seam.length()), short_number(seam.end_time() - seam.start_time()));
+      short_number(weld_length(task)), short_number(task.weld_end() - task.weld_start()));
 }
 
 std::string diagnosis_lines(const PlanResult& result) {

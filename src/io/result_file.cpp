@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -218,6 +219,10 @@ std::vector<std::string> joint_names(const Problem& problem) {
   return joints;
 }
 
+Task task_as_run(const PlanResult& result, const Problem& problem) {
+  return result.seam_time.empty() ? problem.task : problem.task.retimed(result.seam_time);
+}
+
 std::string printed(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -254,27 +259,37 @@ std::string verification_json(const Verification& verification, const Problem& p
   return printed(verification_object(verification, problem));
 }
 
+std::size_t waypoint_count(const PlanResult& result, const Problem& problem) {
+  if (result.mode == Mode::smooth) return result.path.size();
+  const auto& waypoints = problem.task.waypoints;
+  return static_cast<std::size_t>(
+      std::count_if(waypoints.begin(), waypoints.end(),
+                    [](const Waypoint& waypoint) { return waypoint.welding; }));
+}
+
 std::string result_json(const PlanResult& result, const Problem& problem) {
   Json contacts = Json::array();
   for (const auto& pair : result.permanent_contacts) contacts.push_back(names(pair));
-  const std::size_t waypoints =
-      result.mode == Mode::smooth ? result.path.size() : problem.task.waypoints.size();
-  return printed({{"status", status_name(result.status)},
-                  {"mode", mode_name(result.mode)},
-                  {"waypoints", waypoints},
-                  {"joints", joint_names(problem)},
-                  {"timing_s", timing(result.timing)},
-                  {"peak_rss_bytes", peak_rss_bytes()},
-                  {"graph", graph(result)},
-                  {"refine", refine(result.refine)},
-                  {"peaks", peaks(result.path, problem)},
-                  {"verification", verification_object(result.verification, problem)},
-                  {"speed_held", speed_held(result.verification, problem)},
-                  {"diagnosis", diagnosis(result.diagnosis)},
-                  {"problem", problem.name},
-                  {"inverse_kinematics", result.inverse_kinematics},
-                  {"permanent_contacts", std::move(contacts)},
-                  {"warnings", result.warnings}});
+  Json json = {{"status", status_name(result.status)},
+               {"mode", mode_name(result.mode)},
+               {"waypoints", waypoint_count(result, problem)},
+               {"joints", joint_names(problem)},
+               {"timing_s", timing(result.timing)},
+               {"peak_rss_bytes", peak_rss_bytes()},
+               {"graph", graph(result)},
+               {"refine", refine(result.refine)},
+               {"peaks", peaks(result.path, problem)},
+               {"verification", verification_object(result.verification, problem)},
+               {"speed_held", speed_held(result.verification, problem)},
+               {"diagnosis", diagnosis(result.diagnosis)},
+               {"problem", problem.name},
+               {"inverse_kinematics", result.inverse_kinematics},
+               {"permanent_contacts", std::move(contacts)},
+               {"warnings", result.warnings}};
+  const Task task = task_as_run(result, problem);
+  if (task.rest_at_start) json["run_in_s"] = task.weld_start() - task.seam.start_time();
+  if (task.rest_at_end) json["run_out_s"] = task.seam.end_time() - task.weld_end();
+  return printed(json);
 }
 
 void write_result(const std::filesystem::path& folder, const PlanResult& result,
@@ -284,11 +299,12 @@ void write_result(const std::filesystem::path& folder, const PlanResult& result,
   std::filesystem::create_directories(folder);
   std::filesystem::remove(points);
   std::filesystem::remove(dense);
+  const SeamColumns seam(task_as_run(result, problem));
   if (!result.trajectory.empty()) {
-    write_trajectory(points, joint_names(problem), result.trajectory);
-    write_dense(dense, joint_names(problem), result.trajectory, problem.controller_period);
+    write_trajectory(points, joint_names(problem), result.trajectory, seam);
+    write_dense(dense, joint_names(problem), result.trajectory, problem.controller_period, seam);
   } else if (result.path.size() > 0) {
-    write_path(points, joint_names(problem), result.path);
+    write_path(points, joint_names(problem), result.path, seam);
   }
   write_text(folder / "result.json", result_json(result, problem));
 }
