@@ -174,8 +174,8 @@ class Pipeline {
     throw_if_cancelled(options_.monitor);
   }
 
-  /// Where the trajectory of stage 2 does not pass and the path of stage 1 does, as points, the path
-  /// is what is returned. It is not what was asked for: the result stays failed.
+  /// Where the trajectory of stage 2 does not pass and the path of stage 1 does, as points, the
+  /// path is what is returned. It is not what was asked for: the result stays failed.
   void keep_seed_if_better(const Task& task) {
     if (result_.verification.passed) return;
     const JointPath& seed = result_.seeds.front().path;

@@ -38,8 +38,7 @@ TEST(WithSplitSpans, SplitsWhereItIsAsked) {
             (std::vector<double>{0, 1, 2, 2.7, 4}));
   EXPECT_EQ(with_split_spans(breakpoints, {3}, {2.1, 3.9}, 0),
             (std::vector<double>{0, 1, 2, 3, 4}));
-  EXPECT_EQ(with_split_spans(breakpoints, {0.3, 3}, {}, 0.6),
-            (std::vector<double>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(with_split_spans(breakpoints, {0.3, 3}, {}, 0.6), (std::vector<double>{0, 1, 2, 3, 4}));
 }
 
 }  // namespace

@@ -160,8 +160,8 @@ TEST(SingularityCost, Jacobian) {
     const SingularityPoint point{kTime, SplineBasis(kBreakpoints).at(kTime), 1.7};
     const std::unique_ptr<ceres::CostFunction> cost(singularity_cost(*robot, point));
     // The KR 5's axes 4 and 6 line up where joint 5 is zero.
-    EXPECT_NEAR(residuals_at(*cost, control_about(q, 0, random))[0], 1.7 * std::pow(std::cos(q[4]), 4),
-                1e-12);
+    EXPECT_NEAR(residuals_at(*cost, control_about(q, 0, random))[0],
+                1.7 * std::pow(std::cos(q[4]), 4), 1e-12);
     expect_jacobian(*cost, control_about(q, 0, random));
     expect_jacobian(*cost, control_about(q, 0.1, random));
   }

@@ -91,7 +91,7 @@ struct CostTerm {
 /// A constraint that the refined motion presses against, over a stretch of time.
 struct ActiveConstraint {
   enum class Unit { metre, radian, share };  ///< share: of a velocity, acceleration or jerk limit
-  std::string name;          ///< coordinate, joint, or pair of bodies
+  std::string name;                          ///< coordinate, joint, or pair of bodies
   Unit unit = Unit::metre;
   double from = 0, to = 0;   ///< s
   double relative_gain = 0;  ///< share of the objective that widening saves, per unit (F33)
@@ -106,8 +106,8 @@ struct RefineStatistics {
   int control_points = 0;
   int constraint_points = 0;
   std::string termination;
-  double objective = 0;      ///< integral over time (F14)
-  double max_violation = 0;  ///< of the constraints at their points
+  double objective = 0;              ///< integral over time (F14)
+  double max_violation = 0;          ///< of the constraints at their points
   std::size_t distance_queries = 0;  ///< exact ones
   std::vector<CostTerm> terms;
   std::vector<ActiveConstraint> active;  ///< the most costly first

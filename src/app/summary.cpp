@@ -74,10 +74,10 @@ std::string graph_lines(const PlanResult& result) {
                                           graph.replans)});
   }
   for (std::size_t k = 1; k < result.seeds.size(); ++k) {
-    rows.push_back({fmt::format("path {}", k + 1),
-                    fmt::format("cost {}, differs at waypoint {}{}",
-                                short_number(result.seeds[k].cost), result.seeds[k].differs_at,
-                                refined_text(result.seeds[k]))});
+    rows.push_back(
+        {fmt::format("path {}", k + 1),
+         fmt::format("cost {}, differs at waypoint {}{}", short_number(result.seeds[k].cost),
+                     result.seeds[k].differs_at, refined_text(result.seeds[k]))});
   }
   return "graph\n" + aligned(rows);
 }

@@ -78,9 +78,8 @@ void read_samples(const ConfigReader& reader, const Robot& robot, GraphOptions& 
 }  // namespace
 
 CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
-  reader.expect_keys(
-      {"joint_motion", "acceleration", "jerk", "euler", "joint_weights", "steps", "singularity",
-       "posture"});
+  reader.expect_keys({"joint_motion", "acceleration", "jerk", "euler", "joint_weights", "steps",
+                      "singularity", "posture"});
   CostOptions cost;
   read_weight(reader, "joint_motion", cost.joint_motion);
   read_weight(reader, "acceleration", cost.acceleration);

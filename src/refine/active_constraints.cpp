@@ -10,7 +10,9 @@
 
 // (F33) The Lagrangian is J / 2 + sum_i lambda_i c_i with lambda_i > 0 at an upper and < 0 at a
 // lower bound. Where all bounds of a group move out by w, dJ/dw = -2 sum_i |lambda_i| (the envelope
-// theorem; Nocedal & Wright, Numerical Optimization, sec. 12.3).
+// theorem; Nocedal & Wright, Numerical Optimization, sec. 12.3). J is convex in w where
+// the problem is, so that this forecast is the most that a finite w can bring; for what is held
+// without tolerance its range is short.
 
 namespace wristwise {
 
@@ -51,11 +53,17 @@ void add_stretches(const Stretch& kind, const std::vector<Sample>& samples,
                    std::vector<Stretch>& stretches) {
   double largest = 0;
   for (const Sample& sample : samples) largest = std::max(largest, std::abs(sample.multiplier));
-  const bool everywhere = kind.side == Side::both;
+  if (kind.side == Side::both) {
+    stretches.push_back(kind);
+    stretches.back().from = samples.front().time;
+    stretches.back().to = samples.back().time;
+    for (const Sample& sample : samples) stretches.back().sum += std::abs(sample.multiplier);
+    return;
+  }
   bool open = false;
   std::ptrdiff_t last = 0;
   for (const Sample& sample : samples) {
-    if (std::abs(sample.multiplier) <= 1e-3 * largest && !everywhere) {
+    if (std::abs(sample.multiplier) <= 1e-3 * largest) {
       open = false;
       continue;
     }
@@ -72,11 +80,11 @@ void add_stretches(const Stretch& kind, const std::vector<Sample>& samples,
 }
 
 ActiveConstraint::Unit unit_of(const Robot& robot, const PointConstraint::Row& row) {
-  const bool turns = row.kind == Kind::deviation ? row.index >= 3
-                     : row.kind == Kind::joint
-                         ? robot.joints()[static_cast<std::size_t>(row.index)].type !=
-                               JointType::prismatic
-                         : false;
+  const bool turns =
+      row.kind == Kind::deviation ? row.index >= 3
+      : row.kind == Kind::joint
+          ? robot.joints()[static_cast<std::size_t>(row.index)].type != JointType::prismatic
+          : false;
   return turns ? ActiveConstraint::Unit::radian : ActiveConstraint::Unit::metre;
 }
 
@@ -113,7 +121,8 @@ void add_points(const ClearanceModel& clearance, const std::vector<PointConstrai
       }
     }
   }
-  for (const auto& group : groups) add_stretches(group.second.first, group.second.second, stretches);
+  for (const auto& group : groups)
+    add_stretches(group.second.first, group.second.second, stretches);
 }
 
 void add_limits(const Robot& robot, const SplineBasis& basis,
@@ -131,13 +140,14 @@ void add_limits(const Robot& robot, const SplineBasis& basis,
       auto& [kind, samples] = groups[{limit.derivative, limit.joints[r]}];
       kind.name = joint.name + " " + kOf[static_cast<std::size_t>(limit.derivative)];
       kind.side = Side::either;
-      kind.unit = limit.derivative > 0 ? ActiveConstraint::Unit::share
+      kind.unit = limit.derivative > 0                 ? ActiveConstraint::Unit::share
                   : joint.type == JointType::prismatic ? ActiveConstraint::Unit::metre
                                                        : ActiveConstraint::Unit::radian;
       samples.push_back({limit.first, time, limit.rows[r].multiplier});
     }
   }
-  for (const auto& group : groups) add_stretches(group.second.first, group.second.second, stretches);
+  for (const auto& group : groups)
+    add_stretches(group.second.first, group.second.second, stretches);
 }
 
 /// The step for which the linear forecast is told: one that a user would think of.
@@ -169,16 +179,18 @@ std::string sentence(const Stretch& stretch, double relative, bool is_clearance,
                      const std::string& held_by) {
   double step = told_step(stretch.unit);
   while (relative * step > 0.3) step /= 10;  // a linear forecast says nothing about large steps
-  const std::string gain = fmt::format("lower the cost by about {:.2g}%", 100 * relative * step);
+  const std::string gain =
+      fmt::format("lower the cost by {} {:.2g}%", stretch.side == Side::both ? "up to" : "about",
+                  100 * relative * step);
   const std::string when = fmt::format("from {:.4g} to {:.4g} s", stretch.from, stretch.to);
   const std::string amount = step_text(stretch.unit, step);
   if (is_clearance)
     return fmt::format("{} are at their clearance {}; {} less would {}", stretch.name, when, amount,
                        gain);
-  const std::string at = stretch.side == Side::lower   ? "at its lower limit"
-                         : stretch.side == Side::upper ? "at its upper limit"
+  const std::string at = stretch.side == Side::lower    ? "at its lower limit"
+                         : stretch.side == Side::upper  ? "at its upper limit"
                          : stretch.side == Side::either ? "at its limit"
-                                                         : "held without tolerance";
+                                                        : "held without tolerance";
   const std::string by = held_by.empty() ? "" : fmt::format(" ({} is in the way)", held_by);
   return fmt::format("{} is {} {}{}; {} more would {}", stretch.name, at, when, by, amount, gain);
 }

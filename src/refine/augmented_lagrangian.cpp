@@ -11,7 +11,7 @@ namespace {
 constexpr double kGrowth = 10;     ///< of mu in a round that gains too little
 constexpr double kMuRange = 1e12;  ///< largest mu / first mu
 constexpr double kFloor = 1e-4;    ///< m and rad; a violation that stalls below this wants knots
-constexpr double kStiff = 1e5;     ///< mu / first mu at which a larger violation may not stall either
+constexpr double kStiff = 1e5;  ///< mu / first mu at which a larger violation may not stall either
 constexpr double kRateShare = 0.1;       ///< first mu of rates, as a share of the objective
 constexpr double kRateTolerance = 5e-4;  ///< of rates, half the margin they are kept by
 constexpr double kBand = 0.02;           ///< m; pairs that are nearer than this get a constraint
@@ -40,8 +40,8 @@ void AugmentedLagrangian::Group::restart() {
 }
 
 AugmentedLagrangian::AugmentedLagrangian(const RefinementInput& input,
-                                         const ObjectiveWeights& weights,
-                                         ClearanceChecker& checker, Spline start, double first_mu)
+                                         const ObjectiveWeights& weights, ClearanceChecker& checker,
+                                         Spline start, double first_mu)
     : input_(input),
       weights_(weights),
       checker_(checker),
@@ -74,8 +74,8 @@ Ending AugmentedLagrangian::solve(const Accuracy& accuracy, const Stop& stop,
   double last_objective = std::numeric_limits<double>::infinity();
   int unsettled = 0;
   for (int round = 0; round < accuracy.rounds; ++round) {
-    input_.monitor.report("refine", std::min(1.0, static_cast<double>(rounds_) /
-                                                      input_.options.max_rounds));
+    input_.monitor.report("refine",
+                          std::min(1.0, static_cast<double>(rounds_) / input_.options.max_rounds));
     if (stop.requested()) return Ending::stopped;
     ++rounds_;
     add_near_pairs_everywhere();
@@ -83,14 +83,14 @@ Ending AugmentedLagrangian::solve(const Accuracy& accuracy, const Stop& stop,
     if (stop.requested()) return Ending::stopped;
     measure();
     const double objective = terms().total();
-    const bool settled = settled_inside && std::abs(objective - last_objective) <=
-                                               accuracy.settled * objective;
+    const bool settled =
+        settled_inside && std::abs(objective - last_objective) <= accuracy.settled * objective;
     last_objective = objective;
     if (!accuracy.rates) rates_.violation = 0;
     const bool holds = places_.violation <= accuracy.violation && rates_hold();
+    update_multipliers();
     if (holds && settled) return Ending::converged;
     if (holds && when_holding) when_holding();
-    update_multipliers();
     unsettled = settled_inside ? 0 : unsettled + 1;
     const bool is_due = settled_inside || unsettled > kPatience;
     if (is_due && !tighten(accuracy.violation, objective))

@@ -17,15 +17,15 @@ struct Accuracy {
   double settled = 1e-4;    ///< relative change of the objective between rounds
   double inner = 1e-8;      ///< relative change of the cost at which the inner solver stops
   int rounds = 30;
-  bool rates = true;         ///< velocity, acceleration and jerk limits count
+  bool rates = true;  ///< velocity, acceleration and jerk limits count
 };
 
 enum class Ending {
   converged,
-  stalled,        ///< a small violation does not fall any more: the curve has too few knots
-  unmet,          ///< a large violation does not fall any more
+  stalled,  ///< a small violation does not fall any more: the curve has too few knots
+  unmet,    ///< a large violation does not fall any more
   out_of_rounds,
-  stopped,        ///< on request
+  stopped,  ///< on request
 };
 
 /// The augmented Lagrangian (F16) of a curve, its constraint points and its limits.
@@ -53,7 +53,7 @@ class AugmentedLagrangian {
   void restart();
 
   ObjectiveTerms terms() const;
-  double violation() const { return places_.violation; }    ///< m, rad
+  double violation() const { return places_.violation; }      ///< m, rad
   double rate_violation() const { return rates_.violation; }  ///< shares of the limits
   bool rates_hold() const;
   /// Times (s) of the points and control points that are violated by more than `tolerance`.

@@ -98,8 +98,7 @@ std::vector<PointConstraint> Collocation::violated(const Robot& robot, const Spl
   for (std::size_t i = 0; i < task_.waypoints.size(); ++i) {
     if (included_[i]) continue;
     const SplineBasis::Values basis = spline.basis.at(task_.waypoints[i].time);
-    const std::vector<double> outside =
-        excess(robot, task_.waypoints[i], spline.value(basis));
+    const std::vector<double> outside = excess(robot, task_.waypoints[i], spline.value(basis));
     for (std::size_t k = 0; k < outside.size(); ++k) {
       if (outside[k] <= tolerance) continue;
       auto& entry = worst[{basis.first, k}];
@@ -113,7 +112,8 @@ std::vector<PointConstraint> Collocation::violated(const Robot& robot, const Spl
   for (const std::size_t i : waypoints) {
     points.push_back(constraint_at_waypoint(task_.waypoints[i], spline.basis));
     const auto span = static_cast<std::size_t>(points.back().basis.first);
-    points.back().weight = std::max(0.25 * (breakpoints[span + 1] - breakpoints[span]) / unit, 1e-3);
+    points.back().weight =
+        std::max(0.25 * (breakpoints[span + 1] - breakpoints[span]) / unit, 1e-3);
   }
   return points;
 }

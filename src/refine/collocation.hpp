@@ -21,8 +21,8 @@ class Collocation {
 
   /// Constraints at the waypoints, one for each span and coordinate at most, that are farthest
   /// outside what they ask, where that is more than `tolerance` (m, rad).
-  std::vector<PointConstraint> violated(const Robot& robot, const Spline& spline,
-                                        double tolerance, double unit) const;
+  std::vector<PointConstraint> violated(const Robot& robot, const Spline& spline, double tolerance,
+                                        double unit) const;
 
  private:
   std::vector<std::size_t> spread(const SplineBasis& basis, int per_span) const;

@@ -23,7 +23,7 @@ constexpr double kPointsOfUnitWeight = 50;  ///< the weight of a point is 1 wher
 constexpr double kFewestSpans = 48;
 constexpr double kCoarsestSpans = 12;
 constexpr std::size_t kCoarsening = 4;
-constexpr double kTurnOfASpan = 0.25;  ///< rad, of the seam
+constexpr double kTurnOfASpan = 0.25;   ///< rad, of the seam
 constexpr double kSmoothingSpans = 20;  ///< the seed is smoothed over the duration / this, at least
 constexpr int kPointsPerSpan = 3;
 constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
@@ -31,7 +31,7 @@ constexpr int kSamplesBetween = 10;
 constexpr int kMostSplits = 6;
 constexpr double kShortestSpan = 0.02;  ///< of the first spacing
 constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8, false};
-constexpr double kStray = 1e-2;        ///< m and rad, in the first round
+constexpr double kStray = 1e-2;  ///< m and rad, in the first round
 
 /// How far the direction of travel turns along the waypoints, rad.
 double seam_turning(const Task& task) {
@@ -60,8 +60,8 @@ class Attempt {
         collocation_(input.task),
         levels_(knot_levels(seed.times)),
         initial_(objective_terms(weights_, input.robot, input.task, seed)),
-        lagrangian_(input, weights_, checker_,
-                    fit_spline(seed, levels_.front(), seed_smoothing()), 1) {
+        lagrangian_(input, weights_, checker_, fit_spline(seed, levels_.front(), seed_smoothing()),
+                    1) {
     const double objective = std::max(lagrangian_.terms().total(), 1e-6 / duration_);
     lagrangian_.set_first_mu(start_share * objective);
   }
@@ -158,8 +158,8 @@ class Attempt {
   /// every interval that has one.
   std::vector<PointConstraint> find_gaps() {
     const Spline& spline = lagrangian_.spline();
-    auto gaps = collocation_.violated(input_.robot, spline, input_.options.constraint_tolerance,
-                                      unit());
+    auto gaps =
+        collocation_.violated(input_.robot, spline, input_.options.constraint_tolerance, unit());
     const double accepted = input_.clearance->clearance() + 0.5 * input_.options.clearance_epsilon;
     for (const Dip& dip : find_dips(input_.task, spline, checker_, accepted, kSamplesBetween)) {
       gaps.push_back(
@@ -206,9 +206,8 @@ class Attempt {
                         {"posture", initial_.posture, final_terms.posture},
                         {"singularity", initial_.singularity, final_terms.singularity}};
     if (termination == "converged") {
-      statistics.active =
-          active_constraints(*input_.clearance, motion, lagrangian_.points(), lagrangian_.limits(),
-                             statistics.objective);
+      statistics.active = active_constraints(*input_.clearance, motion, lagrangian_.points(),
+                                             lagrangian_.limits(), statistics.objective);
     }
     return {motion.sampled_at(row_times(motion.basis)), best_.has_value(), stop_.requested(),
             statistics};

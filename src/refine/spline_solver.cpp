@@ -77,8 +77,7 @@ class Batches {
     batches_[static_cast<std::size_t>(span)]->add(cost, first_control - span);
   }
 
-  std::vector<double*> blocks_of(Spline& spline, int span,
-                                 std::array<int, kLocal>& slots) const {
+  std::vector<double*> blocks_of(Spline& spline, int span, std::array<int, kLocal>& slots) const {
     std::vector<double*> blocks;
     for (int k = 0; k < kLocal; ++k) {
       double* block =

@@ -11,8 +11,7 @@ namespace wristwise {
 class Stop {
  public:
   /// @param time_limit s from now; infinity: none
-  explicit Stop(const Monitor& monitor,
-                double time_limit = std::numeric_limits<double>::infinity())
+  explicit Stop(const Monitor& monitor, double time_limit = std::numeric_limits<double>::infinity())
       : monitor_(monitor), time_limit_(time_limit) {}
 
   bool requested() const { return monitor_.cancelled() || time_is_up(); }
