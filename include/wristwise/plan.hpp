@@ -57,6 +57,9 @@ struct Seed {
   JointPath path;
   double cost = 0;
   std::size_t differs_at = 0;  ///< waypoint at which it differs from those before
+  /// What stage 2 made of it: how it ended, and the objective (F14) where all constraints hold.
+  std::string refinement = "not run";
+  std::optional<double> objective = std::nullopt;
 };
 
 struct GraphStatistics {
@@ -85,6 +88,16 @@ struct CostTerm {
   double initial = 0, final = 0;  ///< integral over time, weighted
 };
 
+/// A constraint that the refined motion presses against, over a stretch of time.
+struct ActiveConstraint {
+  enum class Unit { metre, radian, share };  ///< share: of a velocity, acceleration or jerk limit
+  std::string name;          ///< coordinate, joint, or pair of bodies
+  Unit unit = Unit::metre;
+  double from = 0, to = 0;   ///< s
+  double relative_gain = 0;  ///< share of the objective that widening saves, per unit (F33)
+  std::string sentence;
+};
+
 struct RefineStatistics {
   bool run = false;
   int rounds = 0;
@@ -95,7 +108,9 @@ struct RefineStatistics {
   std::string termination;
   double objective = 0;      ///< integral over time (F14)
   double max_violation = 0;  ///< of the constraints at their points
+  std::size_t distance_queries = 0;  ///< exact ones
   std::vector<CostTerm> terms;
+  std::vector<ActiveConstraint> active;  ///< the most costly first
 };
 
 struct Timing {  ///< s

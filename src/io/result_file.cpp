@@ -61,7 +61,10 @@ Json timing(const Timing& timing) {
 Json seeds(const PlanResult& result) {
   Json json = Json::array();
   for (const Seed& seed : result.seeds) {
-    json.push_back({{"cost", number(seed.cost)}, {"differs_at", seed.differs_at}});
+    json.push_back({{"cost", number(seed.cost)},
+                    {"differs_at", seed.differs_at},
+                    {"refinement", seed.refinement},
+                    {"objective", number(seed.objective)}});
   }
   return json;
 }
@@ -89,6 +92,31 @@ Json graph(const PlanResult& result) {
           {"seeds", seeds(result)}};
 }
 
+std::string unit_name(ActiveConstraint::Unit unit) {
+  switch (unit) {
+    case ActiveConstraint::Unit::metre:
+      return "m";
+    case ActiveConstraint::Unit::radian:
+      return "rad";
+    case ActiveConstraint::Unit::share:
+      break;
+  }
+  return "share of the limit";
+}
+
+Json active(const std::vector<ActiveConstraint>& constraints) {
+  Json json = Json::array();
+  for (const ActiveConstraint& constraint : constraints) {
+    json.push_back({{"name", constraint.name},
+                    {"from_s", number(constraint.from)},
+                    {"to_s", number(constraint.to)},
+                    {"relative_gain", number(constraint.relative_gain)},
+                    {"per", unit_name(constraint.unit)},
+                    {"sentence", constraint.sentence}});
+  }
+  return json;
+}
+
 Json refine(const RefineStatistics& refine) {
   Json terms = Json::array();
   for (const CostTerm& term : refine.terms)
@@ -102,6 +130,8 @@ Json refine(const RefineStatistics& refine) {
           {"rounds", refine.rounds},
           {"control_points", refine.control_points},
           {"constraint_points", refine.constraint_points},
+          {"distance_queries", refine.distance_queries},
+          {"active", active(refine.active)},
           {"max_violation", refine.run ? number(refine.max_violation) : Json(nullptr)}};
 }
 
