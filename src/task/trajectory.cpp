@@ -108,6 +108,17 @@ void Trajectory::extremes(std::size_t piece, int derivative, JointVector& least,
   }
 }
 
+// u = (1 + s) / 2: synthetic division about 1/2.
+Trajectory::Polynomials Trajectory::polynomials(std::size_t piece) const {
+  Polynomials c = pieces_[piece];
+  for (int from = 0; from < 5; ++from) {
+    for (int k = 4; k >= from; --k) c.col(k) += 0.5 * c.col(k + 1);
+  }
+  double power = 1;
+  for (int k = 1; k < 6; ++k) c.col(k) *= power *= 0.5;
+  return c;
+}
+
 // With q(t_m + w v) = sum_k d_k (w v)^k / k! and |v| <= 1, |q - q(t_m)| <= sum_k>=1 |d_k| w^k / k!.
 JointVector Trajectory::spread(std::size_t piece, double t0, double t1) const {
   const Coefficients& c = pieces_[piece];
