@@ -24,7 +24,6 @@ constexpr double kRateShare = 0.1;       ///< first mu of rates, as a share of t
 constexpr double kRateTolerance = 5e-4;  ///< of rates, half the margin they are kept by
 constexpr double kBand = 0.02;           ///< m; pairs that are nearer than this get a constraint
 constexpr double kBetweenShare = 0.5;    ///< of the between-tolerance, at added points
-constexpr int kSamplesBetween = 10;
 constexpr int kStalledRounds = 2;
 constexpr int kPatience = 2;  ///< rounds in which the inner solver may run out of iterations
 constexpr double kFewestSpans = 100;
@@ -250,8 +249,8 @@ class Attempt {
 
   /// Adds a constraint point at the worst dip of every interval that has one.
   bool add_dips() {
-    const double accepted = required_ - 0.5 * input_.options.clearance_epsilon;
-    const auto dips = find_dips(input_.task, spline_, checker_, accepted, kSamplesBetween);
+    const double half = 0.5 * input_.options.clearance_epsilon;
+    const auto dips = find_dips(input_.task, spline_, checker_, required_ - half, half);
     for (const Dip& dip : dips) {
       points_.push_back(
           constraint_between(input_.task, dip.interval, dip.time, kBetweenShare, spline_.basis));

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kResolution = 1.02;  // bounds and what is found agree to this factor
 constexpr int kDeepest = 40;          // halvings, of what can't be shown
+constexpr std::size_t kMostSamples = 4096;
 constexpr int kDeepestForBounds = 6;  // halvings, for tighter bounds alone
 
 class Search {
@@ -20,13 +21,13 @@ class Search {
          DeviationGoal& goal)
       : robot_(robot), motion_(motion), seam_(seam), box_(box), goal_(goal) {}
 
-  DeviationFinding run() {
-    double t0 = motion_.start();
-    for (const double t1 : seam_breaks(seam_, motion_.start(), motion_.end())) {
+  DeviationFinding run(double start, double end) {
+    double t0 = start;
+    for (const double t1 : seam_breaks(seam_, start, end)) {
       run_part(t0, t1);
       t0 = t1;
     }
-    run_part(t0, motion_.end());
+    run_part(t0, end);
     return finding_;
   }
 
@@ -117,9 +118,10 @@ class Search {
 
 }  // namespace
 
-DeviationFinding search_deviation(const Robot& robot, const MotionPiece& motion, const Seam& seam,
-                                  const ToleranceBox& box, DeviationGoal& goal) {
-  return Search(robot, motion, seam, box, goal).run();
+DeviationFinding search_deviation(const Robot& robot, const MotionPiece& motion, double t0,
+                                  double t1, const Seam& seam, const ToleranceBox& box,
+                                  DeviationGoal& goal) {
+  return Search(robot, motion, seam, box, goal).run(t0, t1);
 }
 
 }  // namespace wristwise

@@ -31,11 +31,12 @@ struct DeviationFinding {
   std::size_t samples = 0;           ///< postures looked at
 };
 
-/// Shows for all t that a motion is inside a box about the seam, or finds where it is not: by
-/// bisection, until the enclosure of an interval (F30) is inside. Moves between joint waypoints,
-/// where no path is prescribed, are passed over.
+/// Shows for all t in [t0, t1] that a motion is inside a box about the seam, or finds where it is
+/// not: by bisection, until the enclosure of an interval (F30) is inside. Moves between joint
+/// waypoints, where no path is prescribed, are passed over.
 /// @param goal its known errors are raised to what is found
-DeviationFinding search_deviation(const Robot& robot, const MotionPiece& motion, const Seam& seam,
-                                  const ToleranceBox& box, DeviationGoal& goal);
+DeviationFinding search_deviation(const Robot& robot, const MotionPiece& motion, double t0,
+                                  double t1, const Seam& seam, const ToleranceBox& box,
+                                  DeviationGoal& goal);
 
 }  // namespace wristwise

@@ -45,6 +45,13 @@ std::string between_box(double time, int coordinate, double excess) {
                      name(coordinate), amount(coordinate, excess));
 }
 
+std::string between_not_shown(double from, double to) {
+  return fmt::format(
+      "between waypoints (from {:.6g} s to {:.6g} s): the tolerance can't be shown to "
+      "hold for all t",
+      from, to);
+}
+
 std::string skipped_waypoint(std::size_t waypoint, double time, int coordinate, double excess) {
   return fmt::format("waypoint {} of the problem ({:.4g} s) has no row, and {} is {} outside there",
                      waypoint, time, name(coordinate), amount(coordinate, excess));
@@ -64,6 +71,12 @@ std::string clearance(const std::pair<std::string, std::string>& pair, double ti
                       double required) {
   return fmt::format("{} - {}: {:.4g} mm apart at {:.4g} s, {:.4g} mm required", pair.first,
                      pair.second, distance * 1e3, time, required * 1e3);
+}
+
+std::string clearance_not_shown(const std::pair<std::string, std::string>& pair, double from,
+                                double to, double required) {
+  return fmt::format("{} - {}: {:.4g} mm can't be shown for all t from {:.6g} s to {:.6g} s",
+                     pair.first, pair.second, required * 1e3, from, to);
 }
 
 }  // namespace wristwise::text
