@@ -89,8 +89,9 @@ class ClearanceChecker {
   void set_posture(const JointVector& q);
   const ChainPose& chain() const;
 
-  /// A lower bound (m) on the distance of the pair from bounding volumes; cheap.
-  double lower_bound(int pair) const;
+  /// A lower bound (m) on the distance of the pair from bounding volumes; cheap, and cheaper where
+  /// one of `enough` or more is found at once.
+  double lower_bound(int pair, double enough = 1e9) const;
 
   /// The signed distance; exact to 1e-6 m, in penetration too.
   PairDistance distance(int pair);

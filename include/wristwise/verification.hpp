@@ -63,7 +63,8 @@ struct Verification {
   int velocity_joint = -1, acceleration_joint = -1,
       jerk_joint = -1;  ///< where the ratio is largest
   double velocity_time = 0;
-  std::size_t samples = 0;            ///< postures looked at
+  std::size_t samples = 0;           ///< postures looked at
+  std::size_t distance_queries = 0;  ///< exact ones
   std::vector<std::string> failures;  ///< one line each: what, where, by how much
   std::vector<std::string> warnings;  ///< reported, but no reason to fail
 };

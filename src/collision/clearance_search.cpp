@@ -66,9 +66,10 @@ void ClearanceSearch::look_along(const MotionPiece& piece, ClearanceFinding& fin
   const JointVector strays = spread(joints);
   std::vector<int> open;
   for (int pair = 0; pair < static_cast<int>(directions_.size()); ++pair) {
-    const double bound =
-        checker_.lower_bound(pair) - checker_.model().motion_radius(pair).dot(strays);
-    if (bound >= finding.least - resolution_) {
+    const double stray = checker_.model().motion_radius(pair).dot(strays);
+    const double enough = finding.least - resolution_ + stray;
+    const double bound = checker_.lower_bound(pair, enough) - stray;
+    if (bound + stray >= enough) {
       finding.bound = std::min(finding.bound, bound);
     } else {
       open.push_back(pair);
@@ -94,22 +95,25 @@ void ClearanceSearch::look(const Span& span, ClearanceFinding& finding) {
     return;
   }
   const Instant middle = instant(span.piece, 0.5 * (span.first.time + span.last.time));
-  // Halving quarters what is bent away. Where that will do, the same direction serves.
+  // Halving quarters what is bent away. Where that will do the same direction serves, and where it
+  // won't, whatever the direction, there is no use for a better one yet.
+  const double floor = finding.least - resolution_;
   const bool halves_will_do =
-      has_direction &&
-      std::min(at_ends, gap(span.pair, middle)) - bent / 4 >= finding.least - resolution_;
-  if (!halves_will_do) {
+      has_direction && std::min(at_ends, gap(span.pair, middle)) - bent / 4 >= floor;
+  const bool halves_wont_do = span.nearby - bent / 4 < floor;
+  double nearby = span.nearby;
+  if (!halves_will_do && (!halves_wont_do || span.depth >= kDeepest)) {
     const PairDistance measured = measure(span.pair, joints.col(0));
+    nearby = measured.distance;
     record(measured, middle.time, finding);
-    const double bound =
-        measured.distance - checker_.model().motion_radius(span.pair).dot(spread(joints));
+    const double bound = nearby - checker_.model().motion_radius(span.pair).dot(spread(joints));
     if (bound >= finding.least - resolution_ || span.depth >= kDeepest) {
       finding.bound = std::min(finding.bound, bound);
       return;
     }
   }
-  look({span.piece, span.pair, span.first, middle, span.depth + 1}, finding);
-  look({span.piece, span.pair, middle, span.last, span.depth + 1}, finding);
+  look({span.piece, span.pair, span.first, middle, span.depth + 1, nearby}, finding);
+  look({span.piece, span.pair, middle, span.last, span.depth + 1, nearby}, finding);
 }
 
 std::vector<std::pair<int, ClearanceSearch::Range>> ClearanceSearch::not_shown(

@@ -52,7 +52,8 @@ class ClearanceSearch {
     int pair;
     const Instant& first;
     const Instant& last;
-    int depth;
+    int depth = 0;
+    double nearby = std::numeric_limits<double>::infinity();  ///< m, the last distance measured
   };
 
   Instant instant(const MotionPiece& piece, double time);
