@@ -43,9 +43,6 @@ class Trajectory {
   /// [times[i], times[i+1]]: exact, from the roots of the next derivative (F11).
   void extremes(std::size_t piece, int derivative, JointVector& least, JointVector& largest) const;
 
-  /// For each joint, a bound on |q(t) - q((t0 + t1) / 2)| for t in [t0, t1], inside one piece.
-  JointVector spread(std::size_t piece, double t0, double t1) const;
-
   /// One row per joint, column k: the coefficient of the k-th power, k = 0 to 5.
   using Polynomials = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, kMaxJoints, 6>;
 

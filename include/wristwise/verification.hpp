@@ -39,6 +39,7 @@ struct UnshownClearance {
 struct Verification {
   bool run = false;
   bool passed = false;
+  TimeRange range;            ///< of the motion
   bool curve = false;         ///< checked as a curve; else as points joined by straight moves
   double position_error = 0;  ///< m, largest distance from the nominal TCP at waypoints, the
                               ///< tolerance box's own width taken off
@@ -63,8 +64,8 @@ struct Verification {
   int velocity_joint = -1, acceleration_joint = -1,
       jerk_joint = -1;  ///< where the ratio is largest
   double velocity_time = 0;
-  std::size_t samples = 0;           ///< postures looked at
-  std::size_t distance_queries = 0;  ///< exact ones
+  std::size_t samples = 0;            ///< postures looked at
+  std::size_t distance_queries = 0;   ///< exact ones
   std::vector<std::string> failures;  ///< one line each: what, where, by how much
   std::vector<std::string> warnings;  ///< reported, but no reason to fail
 };

@@ -25,6 +25,7 @@ MotionPiece::Polynomials MotionPiece::over(double t0, double t1) const {
   return c;
 }
 
+// (F10) |s| <= 1.
 JointVector spread(const MotionPiece::Polynomials& motion) {
   return motion.rightCols<5>().cwiseAbs().rowwise().sum();
 }

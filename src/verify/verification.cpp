@@ -32,6 +32,7 @@ class Verifier {
     goal_.angle_epsilon = options.angle_tolerance;
     result_.run = true;
     result_.curve = motion.is_curve();
+    result_.range = {motion.times().front(), motion.times().back()};
   }
 
   Verification run() {
@@ -256,23 +257,37 @@ class Verifier {
     for (std::size_t i = 0; i + 1 < motion_.times().size(); ++i) pieces.push_back(motion_.piece(i));
     for (const MotionPiece& piece : pieces) search.look_along(piece, found);
     for (const MotionPiece& piece : pieces) sample_clearance(piece, search, found);
+    const bool holds_at_waypoints = clears_waypoints(search, found);
     result_.clearance = found.least;
     result_.clearance_pair = clearance_model().names(found.pair);
     result_.clearance_time = found.time;
-    if (found.bound >= floor) result_.clearance_bound = found.bound;
-    if (!(found.bound >= floor)) list_unshown(pieces, floor, search);
+    if (found.bound >= floor) {
+      result_.clearance_bound = found.bound;
+    } else {
+      list_unshown(pieces, floor, search);
+    }
     result_.samples += search.postures();
     result_.distance_queries = checker_.queries();
-    const double accepted = required - options_.clearance_tolerance;
-    const bool fails_at_waypoint =
-        !(found.least >= accepted) && !(least_at_waypoints(search, 1).least >= accepted);
-    if (fails_at_waypoint || !(found.least >= floor)) {
+    if (!holds_at_waypoints || !(found.least >= floor)) {
       fail(text::clearance(result_.clearance_pair, found.time, found.least, required));
     } else if (!result_.clearance_bound) {
       for (const auto& [range, pair] : result_.clearance_not_shown) {
         fail(text::clearance_not_shown(pair, range.from, range.to, floor));
       }
     }
+  }
+
+  /// They are measured only where something is too near somewhere.
+  bool clears_waypoints(ClearanceSearch& search, ClearanceFinding& found) const {
+    const double accepted = clearance_model().clearance() - options_.clearance_tolerance;
+    if (found.least >= accepted) return true;
+    const ClearanceFinding at_waypoints = least_at_waypoints(search, 1);
+    if (at_waypoints.least < found.least) {
+      found.least = at_waypoints.least;
+      found.pair = at_waypoints.pair;
+      found.time = at_waypoints.time;
+    }
+    return at_waypoints.least >= accepted;
   }
 
   /// At every `step`-th waypoint, the first and the last among them.
