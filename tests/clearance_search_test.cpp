@@ -92,7 +92,7 @@ TEST(ClearanceSearch, IsNeverOptimisticOfAnyPair) {
       ClearanceSearch search(checker, 1e-4);
       ClearanceFinding found;
       search.look_along(motion, found);
-      EXPECT_LE(found.bound, least + kMeasured);
+      EXPECT_LE(found.bound, least + kMeasured) << names.first << " - " << names.second;
       EXPECT_GE(found.bound, least - 1e-4 - 1e-3 * std::abs(least));
     }
   }

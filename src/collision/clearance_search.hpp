@@ -26,7 +26,9 @@ class ClearanceSearch {
 
   /// @param resolution m, > 0
   ClearanceSearch(ClearanceChecker& checker, double resolution)
-      : checker_(checker), resolution_(resolution), directions_(checker.model().pairs().size()) {}
+      : checker_(checker),
+        resolution_(resolution),
+        directions_(checker.model().pairs().size(), Eigen::Vector3d::Zero()) {}
 
   /// Measures one posture.
   void look_at(double time, const JointVector& q, ClearanceFinding& finding);
