@@ -5,6 +5,7 @@
 
 #include "gantry.hpp"
 #include "refine/dip_search.hpp"
+#include "refine/breakpoints.hpp"
 #include "refine/limit_constraint.hpp"
 #include "refine/point_constraint.hpp"
 
@@ -231,10 +232,10 @@ TEST(FindDips, FindsTheWorstTimeOfEachInterval) {
   ClearanceChecker checker(gantry::clearance(gantry::robot()));
   JointPath path = gantry::path_along(task);
   Spline spline = fit_spline(path, path.times);
-  EXPECT_TRUE(find_dips(task, spline, checker, 0, 10).empty());
+  EXPECT_TRUE(find_dips(task, spline, checker, 0, 1e-5).empty());
   spline.control(1, 7) += 0.01;
   std::map<std::size_t, double> found;
-  for (const Dip& dip : find_dips(task, spline, checker, 0, 10)) {
+  for (const Dip& dip : find_dips(task, spline, checker, 0, 1e-5)) {
     EXPECT_NEAR(std::abs(spline.evaluate(dip.time)[1]) - 0.0011, dip.depth, 1e-9);
     found[dip.interval] = dip.depth;
   }
@@ -245,7 +246,7 @@ TEST(FindDips, FindsTheWorstTimeOfEachInterval) {
       deepest = std::max(deepest, std::abs(spline.evaluate(t)[1]) - 0.001 - task.between_position);
     }
     EXPECT_LE(found[i], deepest + 1e-9);
-    EXPECT_GE(found[i], 0.95 * deepest - 1e-5);
+    EXPECT_GE(found[i], 0.97 * deepest - 1e-6);
     if (deepest > 1e-4) ++deep;
   }
   EXPECT_GT(deep, 2);
@@ -257,10 +258,38 @@ TEST(FindDips, FindsAnObstacleBetweenWaypoints) {
   ClearanceChecker checker(
       gantry::clearance(robot, {gantry::obstacle(Box{{0.002, 1, 1}}, 0.347, 0, 0)}, 0.001));
   const JointPath path = gantry::path_along(task);
-  const auto dips = find_dips(task, fit_spline(path, path.times), checker, 0.001, 10);
+  const auto dips = find_dips(task, fit_spline(path, path.times), checker, 0.001, 1e-5);
   ASSERT_EQ(dips.size(), 1U);
   EXPECT_EQ(dips[0].interval, 3U);
   EXPECT_NEAR(dips[0].time, 3.47, 0.02);
+}
+
+/// Knots between waypoints and waypoints between knots; a dip in the box and one in the distance.
+TEST(FindDips, FindsBothKindsWhateverTheKnots) {
+  const Task task = gantry::task({{0, 0, 0}, {1, 0, 0}}, 10, 10, gantry::box(0.001, 0.1));
+  const auto robot = gantry::robot(gantry::parts(0.002));
+  ClearanceChecker checker(
+      gantry::clearance(robot, {gantry::obstacle(Box{{0.002, 1, 1}}, 0.347, 0, 0)}, 0.001));
+  JointPath fine;
+  for (int i = 0; i <= 40; ++i) {
+    fine.times.push_back(10 * i / 40.0);
+    const double off = i == 30 ? 0.02 : 0;  // at 7.5 s
+    fine.positions.push_back(posture(i / 40.0, off, 0));
+  }
+  for (const double spacing : {0.25, 1.0}) {
+    const Spline spline = fit_spline(fine, choose_breakpoints(fine.times, spacing));
+    bool box_at_7 = false, plate_at_3 = false;
+    for (const Dip& dip : find_dips(task, spline, checker, 0.001, 1e-5)) {
+      EXPECT_GT(dip.depth, 0);
+      EXPECT_GE(dip.time, task.waypoints[dip.interval].time);
+      EXPECT_LE(dip.time, task.waypoints[dip.interval + 1].time);
+      const bool off_the_box = std::abs(spline.evaluate(dip.time)[1]) > 0.0011;
+      if (dip.interval == 7 && off_the_box) box_at_7 = true;
+      if (dip.interval == 3 && !off_the_box) plate_at_3 = true;
+    }
+    EXPECT_TRUE(box_at_7);
+    EXPECT_TRUE(plate_at_3);
+  }
 }
 
 }  // namespace

@@ -128,6 +128,11 @@ TEST(ResultFile, WhatIsUnknownIsNull) {
 TEST(ResultFile, VerificationIsTranscribed) {
   PlanResult result = parabola();
   Verification& v = result.verification;
+  v.range = {0, 3};
+  v.clearance_not_shown = {{{1, 1.5}, {"torch", "plate"}}};
+  v.deviation_not_shown = {{2, 2.5}};
+  v.path_error = 1e-4;
+  v.angle_error = 2e-3;
   v.run = v.passed = v.curve = true;
   v.position_error = 1e-7;
   v.tolerance_excess << 1, 2, 3, 4, 5, 6;
@@ -143,6 +148,19 @@ TEST(ResultFile, VerificationIsTranscribed) {
   EXPECT_EQ(json["verification"]["clearance_pair"], Json::array({"torch", "plate"}));
   EXPECT_EQ(json["verification"]["clearance_time_s"], 1.5);
   EXPECT_EQ(json["verification"]["samples"], 11);
+  const Json certificate = json["verification"]["certificate"];
+  EXPECT_EQ(certificate["from_s"], 0);
+  EXPECT_EQ(certificate["to_s"], 3);
+  EXPECT_EQ(certificate["shown"], false);
+  EXPECT_TRUE(certificate["clearance_m"].is_null());
+  EXPECT_EQ(certificate["epsilon_m"], 5e-5);
+  EXPECT_EQ(certificate["not_shown"][0]["from_s"], 1);
+  EXPECT_EQ(certificate["not_shown"][0]["to_s"], 1.5);
+  EXPECT_EQ(certificate["not_shown"][0]["pair"], Json::array({"torch", "plate"}));
+  EXPECT_EQ(certificate["tolerance_shown"], false);
+  EXPECT_EQ(certificate["tolerance_not_shown"][0]["to_s"], 2.5);
+  EXPECT_EQ(certificate["path_error_m"], 1e-4);
+  EXPECT_EQ(certificate["path_error_rad"], 2e-3);
   EXPECT_EQ(json["speed_held"]["ratio"], 0.5);
   EXPECT_EQ(json["speed_held"]["worst_time_s"], 2.5);
   EXPECT_EQ(json["speed_held"]["worst_joint"], "slide");

@@ -1,5 +1,7 @@
 #include "wristwise/trajectory.hpp"
 
+#include "task/motion_piece.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -89,7 +91,8 @@ TEST(Trajectory, StaysWithinItsSpread) {
     const double t0 = trajectory.times()[1], t1 = trajectory.times()[2];
     for (const auto& [a, b] : {std::pair{0.0, 1.0}, {0.3, 0.5}, {0.9, 0.91}}) {
       const double from = t0 + a * (t1 - t0), to = t0 + b * (t1 - t0);
-      const JointVector bound = trajectory.spread(1, from, to);
+      const MotionPiece piece(t0, t1, trajectory.polynomials(1));
+      const JointVector bound = spread(piece.over(from, to));
       const JointVector middle = trajectory.evaluate(0.5 * (from + to));
       double tightest = 0;
       for (int k = 0; k <= 200; ++k) {
@@ -100,6 +103,26 @@ TEST(Trajectory, StaysWithinItsSpread) {
       }
       if (b - a < 0.1) {
         EXPECT_GT(tightest, 0.9);
+      }
+    }
+  }
+}
+
+/// A piece, and a part of it, in powers of their own s.
+TEST(Trajectory, PiecesAreTheSamePolynomials) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Trajectory trajectory = random_trajectory(seed);
+    const double t0 = trajectory.times()[1], t1 = trajectory.times()[2];
+    const MotionPiece piece(t0, t1, trajectory.polynomials(1));
+    for (const auto& [a, b] : {std::pair{0.0, 1.0}, {0.2, 0.25}, {0.9, 1.0}}) {
+      const double from = t0 + a * (t1 - t0), to = t0 + b * (t1 - t0);
+      const auto part = piece.over(from, to);
+      for (const double share : {0.0, 0.3, 0.5, 1.0}) {
+        const double t = from + share * (to - from), s = 2 * share - 1;
+        JointVector value = part.col(5);
+        for (int k = 4; k >= 0; --k) value = value * s + part.col(k);
+        EXPECT_LT((value - trajectory.evaluate(t)).cwiseAbs().maxCoeff(), 1e-12);
+        EXPECT_LT((piece.posture(t) - trajectory.evaluate(t)).cwiseAbs().maxCoeff(), 1e-12);
       }
     }
   }

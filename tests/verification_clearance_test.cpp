@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "gantry.hpp"
 #include "invalid_input.hpp"
 #include "wristwise/verification.hpp"
@@ -104,6 +106,49 @@ TEST(VerificationClearance, FollowsTheCurveAndNotItsChords) {
   EXPECT_NEAR(bulging.clearance_time, 2.5, 1e-6);
   EXPECT_NEAR(*bulging.clearance, -0.004, 1e-6);
   EXPECT_TRUE(verify(task, model, path).passed);
+}
+
+/// The certificate is refuted where a needle is planted, and nowhere else.
+TEST(VerificationClearance, NamesTheIntervalThatIsNotShown) {
+  const double needle = 0.0005, reach = kBall + needle + kRequired;
+  SceneObject first = gantry::obstacle(Sphere{needle}, 0.51, reach - 1e-3, 0);
+  SceneObject second = gantry::obstacle(Sphere{needle}, 0.91, reach - 1e-3, 0);
+  second.name = "other";
+  const Task task = straight_task();
+  const auto model =
+      gantry::clearance(gantry::robot(gantry::parts(kBall)), {first, second}, kRequired);
+  const JointPath path = gantry::path_along(task);
+  for (const Verification& result :
+       {verify(task, model, path), verify(task, model, even_curve(path))}) {
+    EXPECT_FALSE(result.clearance_bound);
+    ASSERT_EQ(result.clearance_not_shown.size(), 2U);
+    // The needle is too near where |x - 0.51| is below this; the ball runs at 0.2 m/s.
+    const double near = std::sqrt(std::pow(reach - 5e-5, 2) - std::pow(reach - 1e-3, 2));
+    const auto expect_at = [&](const UnshownClearance& unshown, double x, const std::string& name) {
+      EXPECT_EQ(unshown.pair, ClearanceModel::Names("ball", name));
+      EXPECT_LE(unshown.range.from, (x - near) / 0.2);
+      EXPECT_GE(unshown.range.to, (x + near) / 0.2);
+      EXPECT_GT(unshown.range.from, (x - near) / 0.2 - 0.1);
+      EXPECT_LT(unshown.range.to, (x + near) / 0.2 + 0.1);
+    };
+    expect_at(result.clearance_not_shown[0], 0.51, "obstacle");
+    expect_at(result.clearance_not_shown[1], 0.91, "other");
+  }
+}
+
+/// Without samples the least distance of all times is found to within a fifth of epsilon.
+TEST(VerificationClearance, FindsTheLeastDistance) {
+  for (const double x : {0.0, 0.123, 0.51, 0.777, 1.0}) {
+    const double y = 0.05;
+    for (const Verification& result : both_forms(gantry::obstacle(Sphere{0.01}, x, y, 0))) {
+      EXPECT_TRUE(result.passed);
+      EXPECT_NEAR(*result.clearance, y - 0.01 - kBall, 1e-5);
+      EXPECT_GE(*result.clearance, y - 0.01 - kBall - 1e-6);
+      EXPECT_LE(*result.clearance_bound, y - 0.01 - kBall + 1e-9);
+      EXPECT_GE(*result.clearance_bound, *result.clearance - 1e-5);
+      EXPECT_TRUE(result.clearance_not_shown.empty());
+    }
+  }
 }
 
 }  // namespace

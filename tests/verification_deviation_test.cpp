@@ -155,18 +155,92 @@ TEST(VerificationDeviation, EqualsAnIndependentCalculation) {
   }
 }
 
-/// Ten samples an interval miss little of what a thousand find on a motion of this kind.
-TEST(VerificationDeviation, OfFewSamplesIsNearTheTrueMaximum) {
+/// Without any samples the largest excess is found to within 2%.
+TEST(VerificationDeviation, FindsTheLargestExcess) {
   const auto model = no_collision();
   VerificationOptions fine;
   fine.samples_per_interval = 1000;
-  for (unsigned seed = 0; seed < 10; ++seed) {
-    const Case given = random_case(seed, ToleranceBox{});
-    const Verification few = verify(given.task, model, given.trajectory);
-    const Verification many = verify(given.task, model, given.trajectory, fine);
-    EXPECT_GT(many.samples, few.samples);
-    EXPECT_GT(few.tolerance_excess_between.norm(), 0.9 * many.tolerance_excess_between.norm());
+  for (const ToleranceFrame frame : {ToleranceFrame::path, ToleranceFrame::base}) {
+    ToleranceBox box;
+    box.frame = frame;
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      const Case given = random_case(seed, box);
+      const Verification found = verify(given.task, model, given.trajectory);
+      const Verification many = verify(given.task, model, given.trajectory, fine);
+      EXPECT_FALSE(found.deviation_shown);
+      EXPECT_GT(many.samples, found.samples);
+      for (int k = 0; k < 6; ++k) {
+        EXPECT_LE(many.tolerance_excess_between[k],
+                  1.02 * found.tolerance_excess_between[k] + 1e-6);
+        EXPECT_GE(many.tolerance_excess_between[k], found.tolerance_excess_between[k]);
+      }
+    }
   }
+}
+
+/// The bounds hold at every time, and are within 5% of the largest error.
+TEST(VerificationDeviation, StatesThePathErrorForAllTimes) {
+  const auto model = no_collision();
+  for (const ToleranceFrame frame : {ToleranceFrame::path, ToleranceFrame::base}) {
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      ToleranceBox box;
+      box.frame = frame;
+      box.lower = Vector6::Constant(-1);
+      box.upper = -box.lower;
+      if (seed % 2 == 1) box.lower[5] = -ToleranceBox::kFree, box.upper[5] = ToleranceBox::kFree;
+      const Case given = random_case(seed, box);
+      const Verification found = verify(given.task, model, given.trajectory);
+      EXPECT_TRUE(found.deviation_shown);
+      double position = 0, angle = 0;
+      for (int i = 0; i <= 20000; ++i) {
+        const double t = kDuration * i / 20000;
+        const Vector6 e = deviation_of(frame, given.line.at(t / kDuration),
+                                       kr5::torch_tip(given.trajectory.evaluate(t), 0.3));
+        position = std::max(position, e.head<3>().norm());
+        angle = std::max(angle, e.segment(3, seed % 2 == 1 ? 2 : 3).cwiseAbs().maxCoeff());
+      }
+      EXPECT_GE(found.path_error, position - 1e-12);
+      EXPECT_LE(found.path_error, 1.05 * position + 1e-5);
+      EXPECT_GE(found.angle_error, angle - 1e-9);
+      EXPECT_LE(found.angle_error, 1.05 * angle + 1e-5);
+    }
+  }
+}
+
+/// An excursion of 0.2 ms that ten samples an interval, and a thousand, step over.
+TEST(VerificationDeviation, CatchesAnExcursionBetweenSamples) {
+  const auto model = no_collision();
+  ToleranceBox box;
+  box.lower = Vector6::Constant(-0.5);
+  box.upper = -box.lower;
+  const Case given = random_case(3, box);
+  const Trajectory& smooth = given.trajectory;
+  std::vector<double> times;
+  std::vector<JointVector> positions, velocities, accelerations;
+  const double bump_at = 1.23456;
+  const double half = 5e-5;  // s
+  for (const double t : {0.0, 0.8, bump_at - 2 * half, bump_at - half, bump_at + half,
+                         bump_at + 2 * half, 1.6, kDuration}) {
+    times.push_back(t);
+    positions.push_back(smooth.evaluate(t));
+    velocities.push_back(smooth.evaluate(t, 1));
+    accelerations.push_back(smooth.evaluate(t, 2));
+  }
+  const auto check = [&] {
+    return verify(given.task, model, Trajectory(times, positions, velocities, accelerations));
+  };
+  EXPECT_TRUE(check().deviation_shown);
+  velocities[3][4] += 2e4;  // out and in again: 0.6 rad away in the middle
+  velocities[4][4] -= 2e4;
+  const Verification found = check();
+  EXPECT_FALSE(found.deviation_shown);
+  ASSERT_FALSE(found.deviation_not_shown.empty());
+  EXPECT_GE(found.deviation_not_shown.front().from, bump_at - 1e-4);
+  EXPECT_LE(found.deviation_not_shown.front().from, bump_at);
+  EXPECT_GE(found.deviation_not_shown.back().to, bump_at);
+  EXPECT_LE(found.deviation_not_shown.back().to, bump_at + 1e-4);
+  EXPECT_GT(found.tolerance_excess_between.maxCoeff(), 0.05);
+  EXPECT_LT((found.tolerance_excess).maxCoeff(), 1e-6);
 }
 
 }  // namespace

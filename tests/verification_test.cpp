@@ -78,7 +78,13 @@ TEST(Verification, PassesWhatIsClean) {
   const Verification curve = check(task, Nodes(task).curve());
   expect_clean(curve);
   EXPECT_TRUE(curve.curve);
-  EXPECT_GE(curve.samples, static_cast<std::size_t>(10 * kIntervals));
+  for (const Verification& result : {points, curve}) {
+    EXPECT_TRUE(result.deviation_shown);
+    EXPECT_EQ(result.range.from, 0);
+    EXPECT_EQ(result.range.to, kDuration);
+    EXPECT_LT(result.path_error, 2e-6);
+    EXPECT_LT(result.angle_error, 2e-6);
+  }
 }
 
 TEST(Verification, PassesAtTheEdgeOfTheTolerance) {

@@ -52,11 +52,17 @@ class ClearanceModel {
     return motion_radius_[static_cast<std::size_t>(pair)];
   }
 
+  /// For each joint between the pair's bodies, a bound on how far a point of the body beyond it can
+  /// be from its axis, for every q inside the limits; 1 for a prismatic joint, 0 for a joint that
+  /// moves both or neither (F31). m per rad, or m per m.
+  const JointVector& reach(int pair) const { return reach_[static_cast<std::size_t>(pair)]; }
+
  private:
   std::shared_ptr<const Robot> robot_;
   std::vector<Body> bodies_;
   std::vector<Pair> pairs_;
   std::vector<JointVector> motion_radius_;
+  std::vector<JointVector> reach_;
   std::vector<Names> permanent_contacts_;
   double clearance_ = 0;
 };
@@ -83,8 +89,9 @@ class ClearanceChecker {
   void set_posture(const JointVector& q);
   const ChainPose& chain() const;
 
-  /// A lower bound (m) on the distance of the pair from bounding volumes; cheap.
-  double lower_bound(int pair) const;
+  /// A lower bound (m) on the distance of the pair from bounding volumes; cheap, and cheaper where
+  /// one of `enough` or more is found at once.
+  double lower_bound(int pair, double enough = 1e9) const;
 
   /// The signed distance; exact to 1e-6 m, in penetration too.
   PairDistance distance(int pair);

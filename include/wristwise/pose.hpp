@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 
 namespace wristwise {
 
@@ -12,6 +13,9 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 /// Order of the three turns about moving axes; the names read R = R_first R_second R_third.
 /// Only cyclic orders are used, so that one set of formulas serves all three.
 enum class EulerSequence { xyz, yzx, zxy };
+
+/// The axes (0 x, 1 y, 2 z) of the three turns of a sequence.
+std::array<int, 3> euler_axes(EulerSequence sequence);
 
 /// Angles (rad) of R about the axes x, y, z, in this order whatever the sequence (F1).
 /// The second angle of the sequence is in [-pi/2, pi/2], the others in (-pi, pi].

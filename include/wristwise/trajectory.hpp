@@ -43,13 +43,16 @@ class Trajectory {
   /// [times[i], times[i+1]]: exact, from the roots of the next derivative (F11).
   void extremes(std::size_t piece, int derivative, JointVector& least, JointVector& largest) const;
 
-  /// For each joint, a bound on |q(t) - q((t0 + t1) / 2)| for t in [t0, t1], inside one piece.
-  JointVector spread(std::size_t piece, double t0, double t1) const;
+  /// One row per joint, column k: the coefficient of the k-th power, k = 0 to 5.
+  using Polynomials = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, kMaxJoints, 6>;
+
+  /// The piece [times[i], times[i+1]] in powers of s, which runs from -1 to 1 over it; rad or m.
+  Polynomials polynomials(std::size_t piece) const;
 
  private:
   std::size_t piece_at(double t) const;
-  /// Columns: coefficients of u^0 .. u^5, u = (t - times[i]) / (times[i+1] - times[i]).
-  using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, kMaxJoints, 6>;
+  /// In powers of u = (t - times[i]) / (times[i+1] - times[i]).
+  using Coefficients = Polynomials;
   std::vector<double> times_;
   std::vector<JointVector> positions_, velocities_, accelerations_;
   std::vector<Coefficients> pieces_;

@@ -17,23 +17,45 @@ struct VerificationOptions {
   double position_tolerance = 1e-6;     ///< m, beyond the box at waypoints
   double angle_tolerance = 1e-6;        ///< rad, beyond the box at waypoints
   double joint_limit_tolerance = 1e-9;  ///< rad or m
-  double clearance_tolerance = 1e-6;    ///< m, at sampled postures
+  double clearance_tolerance = 1e-6;    ///< m, at waypoints
   double clearance_epsilon = 5e-5;      ///< m, of the claim for all t
-  int samples_per_interval = 10;        ///< of the deviation between waypoints; at least 10
+  /// Further samples of deviation and clearance in each interval: a cross-check of what is shown
+  /// for all t, which needs none.
+  int samples_per_interval = 0;
+};
+
+/// s
+struct TimeRange {
+  double from = 0, to = 0;
+};
+
+/// Where a clearance could not be shown.
+struct UnshownClearance {
+  TimeRange range;
+  ClearanceModel::Names pair;
 };
 
 /// The outcome of the independent check. Starts as "not run".
 struct Verification {
   bool run = false;
   bool passed = false;
+  TimeRange range;            ///< of the motion
   bool curve = false;         ///< checked as a curve; else as points joined by straight moves
   double position_error = 0;  ///< m, largest distance from the nominal TCP at waypoints, the
                               ///< tolerance box's own width taken off
-  Vector6 tolerance_excess = Vector6::Zero();          ///< m, rad beyond the box at waypoints
-  Vector6 tolerance_excess_between = Vector6::Zero();  ///< beyond the box widened by `between`
-  double joint_limit_excess = 0;                       ///< rad or m
-  std::optional<double> clearance;        ///< m, least sampled; nullopt where no pair counts
+  Vector6 tolerance_excess = Vector6::Zero();  ///< m, rad beyond the box at waypoints
+  /// Largest beyond the box widened by `between` that was found, within 2% of the largest there is;
+  /// 0 where nothing is beyond it by more than the position and angle tolerances.
+  Vector6 tolerance_excess_between = Vector6::Zero();
+  bool deviation_shown = false;  ///< inside the widened box for all t, to within the tolerances
+  std::vector<TimeRange> deviation_not_shown;
+  double path_error = 0;          ///< m: for all t the TCP is no farther from its place on the seam
+  double angle_error = 0;         ///< rad: for all t no angle that is not free deviates more
+  double joint_limit_excess = 0;  ///< rad or m
+  /// m, the least of all t to within epsilon / 5, measured; nullopt where no pair counts.
+  std::optional<double> clearance;
   std::optional<double> clearance_bound;  ///< m, shown for all t; nullopt where it is not shown
+  std::vector<UnshownClearance> clearance_not_shown;
   ClearanceModel::Names clearance_pair;
   double clearance_time = 0;  ///< s
   double velocity_ratio = 0;  ///< largest |q'| / limit; > 1 is a failure
@@ -42,7 +64,8 @@ struct Verification {
   int velocity_joint = -1, acceleration_joint = -1,
       jerk_joint = -1;  ///< where the ratio is largest
   double velocity_time = 0;
-  std::size_t samples = 0;
+  std::size_t samples = 0;            ///< postures looked at
+  std::size_t distance_queries = 0;   ///< exact ones
   std::vector<std::string> failures;  ///< one line each: what, where, by how much
   std::vector<std::string> warnings;  ///< reported, but no reason to fail
 };

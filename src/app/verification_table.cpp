@@ -21,6 +21,32 @@ std::string clearance_text(const Verification& verification, const Problem& prob
                      verification.clearance_pair.second, short_number(verification.clearance_time));
 }
 
+std::string range_text(const TimeRange& range) {
+  return fmt::format("[{}, {}] s", short_number(range.from), short_number(range.to));
+}
+
+/// What is shown for all t, and where it is not: one row each.
+std::vector<TableRow> certificate(const Verification& verification) {
+  constexpr double kDegree = 0.017453292519943295;
+  const std::string for_all = "for all t in " + range_text(verification.range);
+  std::vector<TableRow> rows;
+  if (verification.clearance_bound)
+    rows.push_back(
+        {for_all, "clearance >= " + short_number(*verification.clearance_bound * 1e3) + " mm"});
+  for (const auto& [range, pair] : verification.clearance_not_shown)
+    rows.push_back({"clearance not shown",
+                    fmt::format("{} - {} in {}", pair.first, pair.second, range_text(range))});
+  rows.push_back({for_all, fmt::format("path error <= {} mm, {} deg",
+                                       short_number(verification.path_error * 1e3),
+                                       short_number(verification.angle_error / kDegree))});
+  if (!verification.deviation_not_shown.empty())
+    rows.push_back(
+        {"tolerance not shown",
+         fmt::format("in {} places, first in {}", verification.deviation_not_shown.size(),
+                     range_text(verification.deviation_not_shown.front()))});
+  return rows;
+}
+
 }  // namespace
 
 std::string excess_text(const Vector6& excess) {
@@ -39,9 +65,7 @@ std::string verification_table(const Verification& verification, const Problem& 
       {"beyond joint limits", short_number(verification.joint_limit_excess)},
       {"clearance", clearance_text(verification, problem)},
   };
-  if (verification.clearance_bound)
-    rows.push_back(
-        {"clearance shown for all t", short_number(*verification.clearance_bound) + " m"});
+  for (TableRow& row : certificate(verification)) rows.push_back(std::move(row));
   rows.push_back({"joint speed / limit",
                   ratio_text(verification.velocity_ratio, verification.velocity_joint, problem)});
   rows.push_back({"acceleration / limit", ratio_text(verification.acceleration_ratio,

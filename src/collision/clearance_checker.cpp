@@ -152,7 +152,10 @@ ClearanceChecker& ClearanceChecker::operator=(ClearanceChecker&&) noexcept = def
 const ClearanceModel& ClearanceChecker::model() const { return impl_->model(); }
 void ClearanceChecker::set_posture(const JointVector& q) { impl_->set_posture(q); }
 const ChainPose& ClearanceChecker::chain() const { return impl_->chain(); }
-double ClearanceChecker::lower_bound(int pair) const { return impl_->lower_bound(pair); }
+double ClearanceChecker::lower_bound(int pair, double enough) const {
+  const double from_balls = impl_->ball_bound(pair);
+  return from_balls >= enough ? from_balls : impl_->lower_bound(pair);
+}
 PairDistance ClearanceChecker::distance(int pair) { return impl_->distance(pair); }
 std::size_t ClearanceChecker::queries() const { return impl_->queries(); }
 

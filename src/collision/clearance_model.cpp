@@ -49,6 +49,9 @@ ClearanceModel::ClearanceModel(std::shared_ptr<const Robot> robot, const Scene& 
         pairs_.push_back({a, static_cast<int>(m), b, static_cast<int>(n)});
         motion_radius_.push_back(wristwise::motion_radius(*robot_, body_a.joint, body_a.shapes[m],
                                                           body_b.joint, body_b.shapes[n]));
+        reach_.push_back(body_a.joint > body_b.joint
+                             ? reach_of(*robot_, body_a.joint, body_a.shapes[m], body_b.joint)
+                             : reach_of(*robot_, body_b.joint, body_b.shapes[n], body_a.joint));
       }
     }
   }

@@ -67,19 +67,26 @@ JointVector motion_radius(const Robot& robot, int joint_a, const Shape& shape_a,
   const int near = std::min(joint_a, joint_b);
   const int far = std::max(joint_a, joint_b);
   const BoundingBall near_ball = ball_of(a_is_near ? shape_a : shape_b);
-  BoundingBall far_ball = ball_of(a_is_near ? shape_b : shape_a);
-
-  JointVector radius = JointVector::Zero(robot.joint_count());
+  JointVector radius = reach_of(robot, far, a_is_near ? shape_b : shape_a, near);
   for (int j = far; j > near; --j) {
     const Joint& joint = joint_at(robot, j);
-    radius[j] = joint.type == JointType::prismatic
-                    ? 1.0
-                    : std::min(reach_from_axis(joint, far_ball),
-                               reach_from_axis(joint, seen_from_beyond(robot, near_ball, near, j)));
-    far_ball = swept(joint, far_ball, 1);
-    far_ball.center = joint.origin * far_ball.center;
+    if (joint.type == JointType::prismatic) continue;
+    radius[j] =
+        std::min(radius[j], reach_from_axis(joint, seen_from_beyond(robot, near_ball, near, j)));
   }
   return radius;
+}
+
+JointVector reach_of(const Robot& robot, int far, const Shape& shape, int near) {
+  BoundingBall ball = ball_of(shape);
+  JointVector reach = JointVector::Zero(robot.joint_count());
+  for (int j = far; j > near; --j) {
+    const Joint& joint = joint_at(robot, j);
+    reach[j] = joint.type == JointType::prismatic ? 1.0 : reach_from_axis(joint, ball);
+    ball = swept(joint, ball, 1);
+    ball.center = joint.origin * ball.center;
+  }
+  return reach;
 }
 
 }  // namespace wristwise

@@ -152,6 +152,30 @@ Json peaks(const JointPath& path, const Problem& problem) {
   return json;
 }
 
+/// What is shown for all t, and where it is not.
+Json certificate(const Verification& verification, const Problem& problem) {
+  const bool run = verification.run;
+  Json clearance_not_shown = Json::array(), tolerance_not_shown = Json::array();
+  for (const auto& [range, pair] : verification.clearance_not_shown) {
+    clearance_not_shown.push_back(
+        {{"from_s", number(range.from)}, {"to_s", number(range.to)}, {"pair", names(pair)}});
+  }
+  for (const TimeRange& range : verification.deviation_not_shown)
+    tolerance_not_shown.push_back({{"from_s", number(range.from)}, {"to_s", number(range.to)}});
+  const auto if_run = [run](const Json& value) { return run ? value : Json(nullptr); };
+  return {{"from_s", if_run(number(verification.range.from))},
+          {"to_s", if_run(number(verification.range.to))},
+          {"shown",
+           verification.clearance ? Json(verification.clearance_bound.has_value()) : Json(nullptr)},
+          {"clearance_m", number(verification.clearance_bound)},
+          {"epsilon_m", number(problem.refine.clearance_epsilon)},
+          {"not_shown", std::move(clearance_not_shown)},
+          {"tolerance_shown", if_run(verification.deviation_shown)},
+          {"tolerance_not_shown", std::move(tolerance_not_shown)},
+          {"path_error_m", if_run(number(verification.path_error))},
+          {"path_error_rad", if_run(number(verification.angle_error))}};
+}
+
 Json verification_object(const Verification& verification, const Problem& problem) {
   const bool run = verification.run;
   const auto if_run = [run](double value) { return run ? number(value) : Json(nullptr); };
@@ -167,6 +191,7 @@ Json verification_object(const Verification& verification, const Problem& proble
       {"acceleration_ratio", if_run(verification.acceleration_ratio)},
       {"jerk_ratio", if_run(verification.jerk_ratio)},
       {"samples", verification.samples},
+      {"distance_queries", verification.distance_queries},
       {"run", run},
       {"curve", verification.curve},
       {"tolerance_excess_between", coordinates(verification.tolerance_excess_between)},
@@ -175,6 +200,7 @@ Json verification_object(const Verification& verification, const Problem& proble
                                    : number(problem.scene.clearance)},
       {"clearance_bound_m", number(verification.clearance_bound)},
       {"clearance_epsilon_m", number(problem.refine.clearance_epsilon)},
+      {"certificate", certificate(verification, problem)},
       {"velocity_joint", joint_name(problem, verification.velocity_joint)},
       {"acceleration_joint", joint_name(problem, verification.acceleration_joint)},
       {"jerk_joint", joint_name(problem, verification.jerk_joint)},

@@ -27,7 +27,6 @@ constexpr double kTurnOfASpan = 0.25;   ///< rad, of the seam
 constexpr double kSmoothingSpans = 20;  ///< the seed is smoothed over the duration / this, at least
 constexpr int kPointsPerSpan = 3;
 constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
-constexpr int kSamplesBetween = 10;
 constexpr int kMostSplits = 6;
 constexpr double kShortestSpan = 0.02;  ///< of the first spacing
 constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8, false};
@@ -160,8 +159,9 @@ class Attempt {
     const Spline& spline = lagrangian_.spline();
     auto gaps =
         collocation_.violated(input_.robot, spline, input_.options.constraint_tolerance, unit());
-    const double accepted = input_.clearance->clearance() + 0.5 * input_.options.clearance_epsilon;
-    for (const Dip& dip : find_dips(input_.task, spline, checker_, accepted, kSamplesBetween)) {
+    const double half = 0.5 * input_.options.clearance_epsilon;
+    const double accepted = input_.clearance->clearance() + half;
+    for (const Dip& dip : find_dips(input_.task, spline, checker_, accepted, half)) {
       gaps.push_back(
           constraint_between(input_.task, dip.interval, dip.time, kBetweenShare, spline.basis));
     }

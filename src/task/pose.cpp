@@ -1,6 +1,5 @@
 #include "wristwise/pose.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace wristwise {
@@ -9,8 +8,11 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// The axes (0 x, 1 y, 2 z) of the three turns.
-std::array<int, 3> axes_of(EulerSequence sequence) {
+double half_open(double angle) { return angle <= -kPi ? kPi : angle; }
+
+}  // namespace
+
+std::array<int, 3> euler_axes(EulerSequence sequence) {
   switch (sequence) {
     case EulerSequence::yzx:
       return {1, 2, 0};
@@ -22,16 +24,12 @@ std::array<int, 3> axes_of(EulerSequence sequence) {
   return {0, 1, 2};
 }
 
-double half_open(double angle) { return angle <= -kPi ? kPi : angle; }
-
-}  // namespace
-
 // (F1) With the axes renamed cyclically every sequence reads M = Rx(a) Ry(b) Rz(c):
 //   M00 = cos b cos c, M01 = -cos b sin c, M02 = sin b,
 // and M Rz(-c) = Rx(a) Ry(b) has (1,1) = cos a, (2,1) = sin a: taken from there, a fits the c that
 // was chosen, also where cos b vanishes and c is arbitrary.
 Eigen::Vector3d euler_angles(const Eigen::Matrix3d& rotation, EulerSequence sequence) {
-  const auto axis = axes_of(sequence);
+  const auto axis = euler_axes(sequence);
   const auto m = [&](int row, int column) {
     return rotation(axis[static_cast<std::size_t>(row)], axis[static_cast<std::size_t>(column)]);
   };
@@ -49,7 +47,7 @@ Eigen::Vector3d euler_angles(const Eigen::Matrix3d& rotation, EulerSequence sequ
 
 Eigen::Matrix3d rotation_from_euler(const Eigen::Vector3d& angles, EulerSequence sequence) {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  for (const int axis : axes_of(sequence)) {
+  for (const int axis : euler_axes(sequence)) {
     rotation *= Eigen::AngleAxisd(angles[axis], Eigen::Vector3d::Unit(axis)).toRotationMatrix();
   }
   return rotation;
@@ -58,7 +56,7 @@ Eigen::Matrix3d rotation_from_euler(const Eigen::Vector3d& angles, EulerSequence
 // (F2) For M = Rx(a) Ry(b) Rz(c), omega = ex a' + Rx(a) ey b' + Rx(a) Ry(b) ez c'. Solved for the
 // rates:  c' = (cos a wz - sin a wy) / cos b,  b' = cos a wy + sin a wz,  a' = wx - sin b c'.
 Eigen::Matrix3d euler_rate_matrix(const Eigen::Vector3d& angles, EulerSequence sequence) {
-  const auto axis = axes_of(sequence);
+  const auto axis = euler_axes(sequence);
   const double sin_a = std::sin(angles[axis[0]]), cos_a = std::cos(angles[axis[0]]);
   const double sin_b = std::sin(angles[axis[1]]);
   const double cos_b = std::max(std::cos(angles[axis[1]]), 1e-9);

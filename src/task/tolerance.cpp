@@ -10,18 +10,6 @@ namespace {
 
 constexpr double kRightAngle = 1.57079632679489661923;
 
-int middle_axis(EulerSequence sequence) {
-  switch (sequence) {
-    case EulerSequence::yzx:
-      return 2;
-    case EulerSequence::zxy:
-      return 0;
-    case EulerSequence::xyz:
-      break;
-  }
-  return 1;
-}
-
 /// The frame in whose axes positions are measured.
 Eigen::Matrix3d position_axes(const ToleranceBox& box, const Pose& path_frame) {
   return box.frame == ToleranceFrame::path ? path_frame.linear().eval()
@@ -57,7 +45,7 @@ void ToleranceBox::validate(const std::string& where) const {
       throw InvalidInput(name, "bounded on one side only", "two finite bounds or free");
     }
   }
-  const int middle = 3 + middle_axis(sequence());
+  const int middle = 3 + euler_axes(sequence())[1];
   if (!is_free(middle) && (lower[middle] <= -kRightAngle || upper[middle] >= kRightAngle)) {
     throw InvalidInput(where + "." + kCoordinateNames[static_cast<std::size_t>(middle)],
                        "reaches 90 deg, where the angles about the other two axes coincide",

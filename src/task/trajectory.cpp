@@ -108,26 +108,15 @@ void Trajectory::extremes(std::size_t piece, int derivative, JointVector& least,
   }
 }
 
-// With q(t_m + w v) = sum_k d_k (w v)^k / k! and |v| <= 1, |q - q(t_m)| <= sum_k>=1 |d_k| w^k / k!.
-JointVector Trajectory::spread(std::size_t piece, double t0, double t1) const {
-  const Coefficients& c = pieces_[piece];
-  const double h = times_[piece + 1] - times_[piece];
-  const double u = (0.5 * (t0 + t1) - times_[piece]) / h;
-  const double w = 0.5 * (t1 - t0) / h;
-  JointVector bound = JointVector::Zero(c.rows());
-  double power = 1;
-  for (int k = 1; k <= 5; ++k) {
-    power *= w;
-    JointVector taylor = JointVector::Zero(c.rows());
-    double binomial = 1, u_power = 1;
-    for (int m = k; m <= 5; ++m) {
-      taylor += binomial * u_power * c.col(m);
-      binomial *= static_cast<double>(m + 1) / (m + 1 - k);
-      u_power *= u;
-    }
-    bound += power * taylor.cwiseAbs();
+// u = (1 + s) / 2: synthetic division about 1/2.
+Trajectory::Polynomials Trajectory::polynomials(std::size_t piece) const {
+  Polynomials c = pieces_[piece];
+  for (int from = 0; from < 5; ++from) {
+    for (int k = 4; k >= from; --k) c.col(k) += 0.5 * c.col(k + 1);
   }
-  return bound;
+  double power = 1;
+  for (int k = 1; k < 6; ++k) c.col(k) *= power *= 0.5;
+  return c;
 }
 
 std::vector<JointVector> divided_differences(const JointPath& path, int order) {

@@ -14,25 +14,6 @@ void raise(RatePeak& peak, const JointVector& magnitude, const JointVector& limi
   }
 }
 
-/// One piece of a curve, over s in [0, 1].
-class CurvePiece final : public Motion {
- public:
-  CurvePiece(const Trajectory& trajectory, std::size_t piece)
-      : trajectory_(trajectory), piece_(piece) {}
-  JointVector posture(double s) const override { return trajectory_.evaluate(time(s)); }
-  JointVector spread(double s0, double s1) const override {
-    return trajectory_.spread(piece_, time(s0), time(s1));
-  }
-
- private:
-  double time(double s) const {
-    const auto& times = trajectory_.times();
-    return times[piece_] + s * (times[piece_ + 1] - times[piece_]);
-  }
-  const Trajectory& trajectory_;
-  std::size_t piece_;
-};
-
 }  // namespace
 
 JointVector PointMotion::posture(std::size_t i, double t) const {
@@ -56,8 +37,8 @@ RatePeak PointMotion::rate_peak(int derivative, const JointVector& limit) const 
   return peak;
 }
 
-std::unique_ptr<Motion> PointMotion::stretch(std::size_t i) const {
-  return std::make_unique<StraightMove>(path_.positions[i], path_.positions[i + 1]);
+MotionPiece PointMotion::piece(std::size_t i) const {
+  return {path_.times[i], path_.times[i + 1], path_.positions[i], path_.positions[i + 1]};
 }
 
 void CurveMotion::extremes(std::size_t i, JointVector& least, JointVector& largest) const {
@@ -74,8 +55,8 @@ RatePeak CurveMotion::rate_peak(int derivative, const JointVector& limit) const 
   return peak;
 }
 
-std::unique_ptr<Motion> CurveMotion::stretch(std::size_t i) const {
-  return std::make_unique<CurvePiece>(trajectory_, i);
+MotionPiece CurveMotion::piece(std::size_t i) const {
+  return {times()[i], times()[i + 1], trajectory_.polynomials(i)};
 }
 
 }  // namespace wristwise

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
-#include "wristwise/swept_clearance.hpp"
+#include "task/motion_piece.hpp"
 #include "wristwise/trajectory.hpp"
 
 namespace wristwise {
@@ -25,8 +24,8 @@ class CheckedMotion {
   virtual JointVector posture(std::size_t i, double t) const = 0;
   virtual void extremes(std::size_t i, JointVector& least, JointVector& largest) const = 0;
   virtual RatePeak rate_peak(int derivative, const JointVector& limit) const = 0;
-  /// The motion over interval i, for the swept clearance check.
-  virtual std::unique_ptr<Motion> stretch(std::size_t i) const = 0;
+  /// The motion over interval i.
+  virtual MotionPiece piece(std::size_t i) const = 0;
 };
 
 /// Points joined by straight joint-space moves; rates are divided differences.
@@ -38,7 +37,7 @@ class PointMotion final : public CheckedMotion {
   JointVector posture(std::size_t i, double t) const override;
   void extremes(std::size_t i, JointVector& least, JointVector& largest) const override;
   RatePeak rate_peak(int derivative, const JointVector& limit) const override;
-  std::unique_ptr<Motion> stretch(std::size_t i) const override;
+  MotionPiece piece(std::size_t i) const override;
 
  private:
   const JointPath& path_;
@@ -53,7 +52,7 @@ class CurveMotion final : public CheckedMotion {
   JointVector posture(std::size_t, double t) const override { return trajectory_.evaluate(t); }
   void extremes(std::size_t i, JointVector& least, JointVector& largest) const override;
   RatePeak rate_peak(int derivative, const JointVector& limit) const override;
-  std::unique_ptr<Motion> stretch(std::size_t i) const override;
+  MotionPiece piece(std::size_t i) const override;
 
  private:
   const Trajectory& trajectory_;

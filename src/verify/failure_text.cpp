@@ -45,6 +45,13 @@ std::string between_box(double time, int coordinate, double excess) {
                      name(coordinate), amount(coordinate, excess));
 }
 
+std::string between_not_shown(double from, double to) {
+  return fmt::format(
+      "between waypoints (from {:.6g} s to {:.6g} s): the tolerance can't be shown to "
+      "hold for all t",
+      from, to);
+}
+
 std::string skipped_waypoint(std::size_t waypoint, double time, int coordinate, double excess) {
   return fmt::format("waypoint {} of the problem ({:.4g} s) has no row, and {} is {} outside there",
                      waypoint, time, name(coordinate), amount(coordinate, excess));
@@ -88,6 +95,12 @@ std::string off_pace(double time, double rate, double prescribed) {
 std::string not_at_rest(int derivative, const std::string& joint, double time, double rate) {
   return fmt::format("joint {} is not at rest at t = {:.6g} s: {} {:.3g}", joint, time,
                      derivative == 1 ? "speed" : "acceleration", rate);
+}
+
+std::string clearance_not_shown(const std::pair<std::string, std::string>& pair, double from,
+                                double to, double required) {
+  return fmt::format("{} - {}: {:.4g} mm can't be shown for all t from {:.6g} s to {:.6g} s",
+                     pair.first, pair.second, required * 1e3, from, to);
 }
 
 }  // namespace wristwise::text

@@ -13,6 +13,7 @@ std::string joint_range(std::size_t waypoint, double time, const std::string& jo
                         double lower, double upper);
 std::string waypoint_box(std::size_t waypoint, double time, int coordinate, double excess);
 std::string between_box(double time, int coordinate, double excess);
+std::string between_not_shown(double from, double to);
 std::string skipped_waypoint(std::size_t waypoint, double time, int coordinate, double excess);
 std::string joint_limit(const std::string& joint, double time, double excess);
 std::string rate(int derivative, const std::string& joint, double time, double ratio);
@@ -23,5 +24,7 @@ std::string seam_time_decreases(double time, double rate);
 std::string too_fast(double time, double rate);
 std::string off_pace(double time, double rate, double prescribed);
 std::string not_at_rest(int derivative, const std::string& joint, double time, double rate);
+std::string clearance_not_shown(const std::pair<std::string, std::string>& pair, double from,
+                                double to, double required);
 
 }  // namespace wristwise::text

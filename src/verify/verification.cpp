@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "collision/clearance_search.hpp"
+#include "task/deviation_search.hpp"
 #include "verify/checked_motion.hpp"
 #include "verify/failure_text.hpp"
 #include "verify/pace_check.hpp"
@@ -16,8 +18,8 @@ namespace {
 
 constexpr double kTimeTolerance = 1e-6;   // s
 constexpr double kRatioTolerance = 1e-9;  // of a limit
-constexpr double kLongestTravel = 1e-3;   // m of seam between two samples of the deviation
-constexpr int kMostSamples = 1000;
+constexpr std::size_t kFirstLook = 8;     // waypoints, one of which is measured first
+constexpr double kResolution = 0.2;       // of the least clearance, in epsilons
 
 class Verifier {
  public:
@@ -30,8 +32,11 @@ class Verifier {
         robot_(clearance->robot()),
         motion_(motion),
         options_(options) {
+    goal_.position_epsilon = options.position_tolerance;
+    goal_.angle_epsilon = options.angle_tolerance;
     result_.run = true;
     result_.curve = motion.is_curve();
+    result_.range = {motion.times().front(), motion.times().back()};
   }
 
   Verification run() {
@@ -39,6 +44,7 @@ class Verifier {
     for (std::size_t i = 0; i < task_.waypoints.size(); ++i)
       if (!rows_.is_knot[i]) check_waypoint(i);
     for (std::size_t i = 0; i + 1 < task_.waypoints.size(); ++i) check_between(i);
+    result_.deviation_shown = result_.deviation_not_shown.empty();
     check_given_waypoints();
     check_limits();
     if (!clearance_model().pairs().empty()) check_clearance();
@@ -61,9 +67,14 @@ class Verifier {
   }
 
   /// Of the TCP over the waypoint's box.
-  Vector6 excess_at(const Waypoint& waypoint, const JointVector& q) const {
-    return box_excess(waypoint.tolerance,
-                      deviation(waypoint.tolerance, waypoint.frame, tcp_pose(robot_, q)));
+  Vector6 excess_at(const Waypoint& waypoint, const JointVector& q) {
+    const ToleranceBox& box = waypoint.tolerance;
+    const Vector6 e = deviation(box, waypoint.frame, tcp_pose(robot_, q));
+    goal_.known_distance = std::max(goal_.known_distance, e.head<3>().norm());
+    for (int k = 3; k < 6; ++k) {
+      if (!box.is_free(k)) goal_.known_angle = std::max(goal_.known_angle, std::abs(e[k]));
+    }
+    return box_excess(box, e);
   }
 
   void check_waypoint(std::size_t i) {
@@ -107,32 +118,53 @@ class Verifier {
                                  std::max(lower - q[joint], q[joint] - upper), lower, upper));
   }
 
+  /// Stretch by stretch, as each has the tolerance of the given waypoint at its end.
   void check_between(std::size_t i) {
-    const auto box = task_.tolerance_between(i);
-    if (!box) return;
-    const double t0 = task_.waypoints[i].time, t1 = task_.waypoints[i + 1].time;
-    const double travel =
-        (task_.waypoints[i + 1].frame.translation() - task_.waypoints[i].frame.translation())
-            .norm();
-    const int count = std::clamp(static_cast<int>(std::ceil(travel / kLongestTravel)),
-                                 std::max(10, options_.samples_per_interval), kMostSamples);
-    for (int k = 0; k < count; ++k) {
-      const double t = t0 + (k + 0.5) * (t1 - t0) / count;
-      record_between(i, t, *box);
+    const MotionPiece piece = motion_.piece(i);
+    const auto& given = given_.waypoints;
+    auto next = std::lower_bound(
+        given.begin(), given.end() - 1, piece.start() + kTimeTolerance,
+        [](const Waypoint& waypoint, double time) { return waypoint.time <= time; });
+    double t0 = piece.start();
+    for (; next->time < piece.end() - kTimeTolerance && next + 1 != given.end(); ++next) {
+      check_stretch(piece, t0, next->time, next->tolerance);
+      t0 = next->time;
+    }
+    check_stretch(piece, t0, piece.end(), next->tolerance);
+  }
+
+  void check_stretch(const MotionPiece& piece, double t0, double t1, const ToleranceBox& box) {
+    const ToleranceBox wider = box.widened(given_.between_position, given_.between_angle);
+    const DeviationFinding found =
+        search_deviation(robot_, piece, t0, t1, task_.seam, wider, goal_);
+    result_.samples += found.samples;
+    result_.path_error = std::max(result_.path_error, found.distance);
+    result_.angle_error = std::max(result_.angle_error, found.angle);
+    for (const auto& [from, to] : found.not_shown)
+      result_.deviation_not_shown.push_back({from, to});
+    for (std::size_t k = 0; k < 6; ++k) {
+      record_between(k, found.excess[static_cast<Eigen::Index>(k)], found.time[k]);
+    }
+    for (int k = 0; k < options_.samples_per_interval; ++k) {
+      sample_between(piece, t0 + (k + 0.5) * (t1 - t0) / options_.samples_per_interval, wider);
     }
   }
 
-  void record_between(std::size_t i, double t, const ToleranceBox& box) {
+  void sample_between(const MotionPiece& piece, double t, const ToleranceBox& box) {
+    if (task_.seam.piece_at(t).kind == SeamPiece::Kind::move) return;
     ++result_.samples;
-    const ToleranceBox wider = box.widened(given_.between_position, given_.between_angle);
-    const Pose tcp = tcp_pose(robot_, motion_.posture(i, t));
-    const Vector6 excess = box_excess(wider, deviation(wider, task_.seam.frame_at(t), tcp));
-    for (int k = 0; k < 6; ++k) {
-      if (excess[k] > result_.tolerance_excess_between[k]) {
-        result_.tolerance_excess_between[k] = excess[k];
-        worst_time_[static_cast<std::size_t>(k)] = t;
-      }
+    const Pose tcp = tcp_pose(robot_, piece.posture(t));
+    const Vector6 excess = box_excess(box, deviation(box, task_.seam.frame_at(t), tcp));
+    for (std::size_t k = 0; k < 6; ++k) {
+      record_between(k, excess[static_cast<Eigen::Index>(k)], t);
     }
+  }
+
+  void record_between(std::size_t coordinate, double excess, double time) {
+    double& largest = result_.tolerance_excess_between[static_cast<Eigen::Index>(coordinate)];
+    if (excess <= largest) return;
+    largest = excess;
+    worst_time_[coordinate] = time;
   }
 
   /// The task's own waypoints that are no waypoint of the motion: what holds between holds there.
@@ -165,6 +197,7 @@ class Verifier {
   }
 
   void report_boxes() {
+    bool found_outside = false;
     for (int k = 0; k < 6; ++k) {
       const auto index = static_cast<std::size_t>(k);
       if (result_.tolerance_excess[k] > tolerance(k)) {
@@ -175,8 +208,13 @@ class Verifier {
         const std::string line =
             text::between_box(worst_time_[index], k, result_.tolerance_excess_between[k]);
         motion_.is_curve() ? fail(line) : result_.warnings.push_back(line);
+        found_outside = true;
       }
     }
+    if (result_.deviation_shown || found_outside) return;
+    const TimeRange& first = result_.deviation_not_shown.front();
+    const std::string line = text::between_not_shown(first.from, first.to);
+    motion_.is_curve() ? fail(line) : result_.warnings.push_back(line);
   }
 
   void check_limits() {
@@ -216,47 +254,74 @@ class Verifier {
   }
 
   void check_clearance() {
-    measure_clearance();
-    double bound = std::numeric_limits<double>::infinity();
-    bool shown = true;
-    for (std::size_t i = 0; i + 1 < motion_.times().size(); ++i) {
-      const auto stretch = motion_.stretch(i);
-      const SweptClearance swept = check_motion(checker_, *stretch, clearance_model().clearance(),
-                                                options_.clearance_epsilon);
-      result_.samples += swept.postures;
-      bound = std::min(bound, swept.bound);
-      if (swept.clear) continue;
-      const double t0 = motion_.times()[i], t1 = motion_.times()[i + 1];
-      record_clearance(swept.pair, swept.distance, t0 + swept.s * (t1 - t0));
-      shown = false;
+    const double required = clearance_model().clearance();
+    const double floor = required - options_.clearance_epsilon;
+    ClearanceSearch search(checker_, kResolution * options_.clearance_epsilon);
+    ClearanceFinding found = least_at_waypoints(search, kFirstLook);
+    std::vector<MotionPiece> pieces;
+    for (std::size_t i = 0; i + 1 < motion_.times().size(); ++i) pieces.push_back(motion_.piece(i));
+    for (const MotionPiece& piece : pieces) search.look_along(piece, found);
+    for (const MotionPiece& piece : pieces) sample_clearance(piece, search, found);
+    const bool holds_at_waypoints = clears_waypoints(search, found);
+    result_.clearance = found.least;
+    result_.clearance_pair = clearance_model().names(found.pair);
+    result_.clearance_time = found.time;
+    if (found.bound >= floor) {
+      result_.clearance_bound = found.bound;
+    } else {
+      list_unshown(pieces, floor, search);
     }
-    if (shown) result_.clearance_bound = bound;
-    if (!shown ||
-        !(*result_.clearance >= clearance_model().clearance() - options_.clearance_tolerance)) {
-      fail(text::clearance(result_.clearance_pair, result_.clearance_time, *result_.clearance,
-                           clearance_model().clearance()));
-    }
-  }
-
-  void measure_clearance() {
-    const int count = std::max(10, options_.samples_per_interval);
-    for (std::size_t i = 0; i + 1 < motion_.times().size(); ++i) {
-      const double t0 = motion_.times()[i], t1 = motion_.times()[i + 1];
-      for (int k = 0; k <= count; ++k) {
-        const double t = t0 + k * (t1 - t0) / count;
-        checker_.set_posture(motion_.posture(i, t));
-        const auto nearest =
-            result_.clearance ? checker_.nearest(*result_.clearance) : checker_.nearest();
-        if (nearest) record_clearance(nearest->pair, nearest->distance, t);
+    result_.samples += search.postures();
+    result_.distance_queries = checker_.queries();
+    if (!holds_at_waypoints || !(found.least >= floor)) {
+      fail(text::clearance(result_.clearance_pair, found.time, found.least, required));
+    } else if (!result_.clearance_bound) {
+      for (const auto& [range, pair] : result_.clearance_not_shown) {
+        fail(text::clearance_not_shown(pair, range.from, range.to, floor));
       }
     }
   }
 
-  void record_clearance(int pair, double distance, double time) {
-    if (result_.clearance && distance >= *result_.clearance) return;
-    result_.clearance = distance;
-    result_.clearance_pair = clearance_model().names(pair);
-    result_.clearance_time = time;
+  /// They are measured only where something is too near somewhere.
+  bool clears_waypoints(ClearanceSearch& search, ClearanceFinding& found) const {
+    const double accepted = clearance_model().clearance() - options_.clearance_tolerance;
+    if (found.least >= accepted) return true;
+    const ClearanceFinding at_waypoints = least_at_waypoints(search, 1);
+    if (at_waypoints.least < found.least) {
+      found.least = at_waypoints.least;
+      found.pair = at_waypoints.pair;
+      found.time = at_waypoints.time;
+    }
+    return at_waypoints.least >= accepted;
+  }
+
+  /// At every `step`-th waypoint, the first and the last among them.
+  ClearanceFinding least_at_waypoints(ClearanceSearch& search, std::size_t step) const {
+    ClearanceFinding found;
+    const auto& times = motion_.times();
+    for (std::size_t i = 0; i < times.size(); i += step) {
+      search.look_at(times[i], motion_.posture(i, times[i]), found);
+    }
+    search.look_at(times.back(), motion_.posture(times.size() - 1, times.back()), found);
+    return found;
+  }
+
+  void sample_clearance(const MotionPiece& piece, ClearanceSearch& search,
+                        ClearanceFinding& found) const {
+    const int count = options_.samples_per_interval;
+    for (int k = 0; k < count; ++k) {
+      const double t = piece.start() + (k + 0.5) * (piece.end() - piece.start()) / count;
+      search.look_at(t, piece.posture(t), found);
+    }
+  }
+
+  void list_unshown(const std::vector<MotionPiece>& pieces, double floor, ClearanceSearch& search) {
+    for (const MotionPiece& piece : pieces) {
+      for (const auto& [pair, range] : search.not_shown(piece, floor)) {
+        result_.clearance_not_shown.push_back(
+            {{range.first, range.second}, clearance_model().names(pair)});
+      }
+    }
   }
 
   const Task& given_;
@@ -267,6 +332,7 @@ class Verifier {
   const CheckedMotion& motion_;
   const VerificationOptions& options_;
   Verification result_;
+  DeviationGoal goal_;
   std::array<std::size_t, 6> worst_waypoint_{};
   std::array<double, 6> worst_time_{};
   int limit_joint_ = 0;

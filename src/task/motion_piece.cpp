@@ -1,0 +1,33 @@
+#include "task/motion_piece.hpp"
+
+namespace wristwise {
+
+MotionPiece::MotionPiece(double start, double end, const Polynomials& over_all)
+    : start_(start), end_(end), over_all_(over_all) {}
+
+MotionPiece::MotionPiece(double start, double end, const JointVector& from, const JointVector& to)
+    : start_(start), end_(end), over_all_(Polynomials::Zero(from.size(), 6)) {
+  over_all_.col(0) = 0.5 * (from + to);
+  over_all_.col(1) = 0.5 * (to - from);
+}
+
+// p(m + w s) by repeated synthetic division about m, then w^k into the k-th coefficient.
+MotionPiece::Polynomials MotionPiece::over(double t0, double t1) const {
+  const double length = end_ - start_;
+  const double middle = ((t0 - start_) + (t1 - end_)) / length;
+  const double width = (t1 - t0) / length;
+  Polynomials c = over_all_;
+  for (int from = 0; from < 5; ++from) {
+    for (int k = 4; k >= from; --k) c.col(k) += middle * c.col(k + 1);
+  }
+  double power = 1;
+  for (int k = 1; k < 6; ++k) c.col(k) *= power *= width;
+  return c;
+}
+
+// (F10) |s| <= 1.
+JointVector spread(const MotionPiece::Polynomials& motion) {
+  return motion.rightCols<5>().cwiseAbs().rowwise().sum();
+}
+
+}  // namespace wristwise
