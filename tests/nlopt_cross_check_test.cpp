@@ -59,7 +59,7 @@ struct Example {
   Problem problem;
   JointPath seed;
   oracle::Formulation formulation;
-  double duration;  ///< s
+  double duration = 0;  ///< s
 
   PlanResult wristwise() const { return smooth(problem, seed); }
   oracle::Solution nlopt() const {

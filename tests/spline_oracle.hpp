@@ -276,7 +276,7 @@ class Solver {
       Eigen::Map<Eigen::MatrixXd> slope(gradient, s.count_, s.joints_);
       slope.setZero();
       slope.col(row.joint) = (row.weights * s.from_variables_).transpose();
-      gradient += s.count_ * s.joints_;
+      gradient += slope.size();
     }
   }
 
