@@ -278,6 +278,7 @@ void TwoStage(benchmark::State& state, const std::string& name) {
   state.counters["stage_1_ms"] = 1e3 * (result.timing.sampling + result.timing.search);
   state.counters["refine_ms"] = 1e3 * result.timing.refine;
   state.counters["verify_ms"] = 1e3 * result.timing.verify;
+  state.counters["queries"] = static_cast<double>(result.refine.distance_queries);
   // Every pair at every constraint point at every evaluation.
   const ClearanceModel clearance(problem.robot, problem.scene);
   state.counters["naive_queries"] = static_cast<double>(clearance.pairs().size()) *
