@@ -48,6 +48,7 @@ inline std::string name_of(Kind kind) {
 struct RandomSeam {
   int index = 0;
   Kind kind = Kind::line;
+  std::string corners;           ///< the key path.corners; empty: rounded inside the tolerance
   bool singular = false;         ///< joint 5 within 2 degrees of zero half-way, torch as drawn
   Eigen::VectorXd posture;       ///< rad, half-way, torch as drawn
   Eigen::Isometry3d middle;      ///< path frame half-way, in the base
@@ -143,8 +144,7 @@ inline std::string segments(const RandomSeam& seam, Random& random) {
 inline std::string tolerances(const RandomSeam& seam, Random& random) {
   std::ostringstream out;
   out << std::setprecision(6) << "  tolerance: {";
-  // A corner is rounded inside the box.
-  if (seam.kind == Kind::corner) {
+  if (seam.kind == Kind::corner && seam.corners.empty()) {
     out << "x: 2 mm, y: 2 mm, ";
   } else if (random.chance(0.2)) {
     out << "x: " << random.between(0.5, 2) << " mm, ";
@@ -202,6 +202,26 @@ inline std::string objects(const RandomSeam& seam, Random& random) {
   return list.empty() ? "" : "  objects:\n" + list;
 }
 
+/// Rounded inside the tolerance, blended, stopped at or slowed down for. Of a sequence of its own.
+inline std::string corner_key(int index) {
+  Random random(-1 - index);
+  std::ostringstream out;
+  out << std::setprecision(6);
+  switch (random.whole(0, 3)) {
+    case 0:
+      return "";
+    case 1:
+      out << "{blend: " << random.between(3, 12) << " mm}";
+      break;
+    case 2:
+      out << "{stop: " << random.between(0.3, 1) << " s}";
+      break;
+    default:
+      out << "{slow: " << random.between(0.1, 0.3) << ", ramp: " << random.between(0.3, 1) << " s}";
+  }
+  return out.str();
+}
+
 inline std::string problem_text(const RandomSeam& seam, Random& random) {
   const std::string robot = std::string(WRISTWISE_SOURCE_DIR) + "/robots/kuka_kr5_arc/";
   std::ostringstream out;
@@ -211,7 +231,7 @@ inline std::string problem_text(const RandomSeam& seam, Random& random) {
       << "joint_limits.yaml\nscene:\n  clearance: " << random.between(1, 8) << " mm\n"
       << objects(seam, random) << "path:\n  frame: " << text(seam.middle)
       << "\n  speed: " << seam.speed << "\n  waypoints: " << random.whole(25, 60)
-      << "\n  segments:\n"
+      << (seam.corners.empty() ? "" : "\n  corners: " + seam.corners) << "\n  segments:\n"
       << segments(seam, random) << tolerances(seam, random)
       << "graph: {automatic_samples: 400, try_relaxations: false}\n";
   return out.str();
@@ -223,6 +243,7 @@ inline RandomSeam random_seam(int index) {
   seam.index = index;
   seam.kind =
       std::array{Kind::line, Kind::arc, Kind::corner}[static_cast<std::size_t>(random.whole(0, 2))];
+  if (seam.kind == Kind::corner) seam.corners = corner_key(index);
   seam.singular = index % 3 == 0;
   seam.posture = working_posture(random, seam.singular);
   seam.middle.matrix() = kr5::torch_tip(seam.posture, kTorch);

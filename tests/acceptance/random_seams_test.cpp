@@ -48,7 +48,7 @@ TEST_P(RandomSeams, AreSolvedAndVerifiedOrDiagnosed) {
       const Verification verification = check(of, read, dense);
       EXPECT_TRUE(verification.passed)
           << (verification.failures.empty() ? "" : verification.failures.front());
-      EXPECT_EQ(read.positions().size(), of.task.waypoints.size());
+      EXPECT_GE(read.positions().size(), of.task.waypoints.size());
     } else {
       ASSERT_FALSE(result.diagnosis.empty());
       EXPECT_FALSE(result.diagnosis.front().reason.empty());
@@ -66,21 +66,28 @@ TEST_F(RandomSeams, AreTheSameEveryTime) {
 }
 
 TEST_F(RandomSeams, PassTheirPostureHalfWay) {
-  int singular = 0;
+  int checked = 0;
   for (int index = 0; index < 30; ++index) {
     SCOPED_TRACE("random seam " + std::to_string(index));
     const bed::RandomSeam seam = bed::random_seam(index);
     const Problem of = problem(seam);
     const Seam& path = of.task.seam;
+    if (!seam.corners.empty()) continue;  // rounded off, or run at another speed
     EXPECT_NEAR(path.length(), seam.length, 1e-9);
     EXPECT_NEAR(path.end_time() - path.start_time(), seam.length / seam.speed, 1e-3);
     const Pose middle = path.frame_at(0.5 * (path.start_time() + path.end_time()));
     EXPECT_TRUE(middle.isApprox(tcp_pose(*of.robot, seam.posture), 1e-9));
-    if (!seam.singular) continue;
-    ++singular;
-    EXPECT_LE(std::abs(seam.posture[4]), 2 * bed::kDegree);
+    ++checked;
   }
-  EXPECT_EQ(singular, 10);
+  EXPECT_GT(checked, 15);
+}
+
+TEST_F(RandomSeams, PassTheWristSingularityInEveryThird) {
+  for (int index = 0; index < 30; ++index) {
+    const bed::RandomSeam seam = bed::random_seam(index);
+    EXPECT_EQ(seam.singular, index % 3 == 0);
+    EXPECT_EQ(std::abs(seam.posture[4]) <= 2 * bed::kDegree, seam.singular);
+  }
 }
 
 }  // namespace

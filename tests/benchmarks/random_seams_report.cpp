@@ -71,6 +71,7 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 /// The check of what is written, as anyone would do it: through trajectory.csv, and denser.
 bool passes_dense_check(const Problem& problem, const PlanResult& result, const Folder& folder) {
   std::vector<std::string> names;
+  names.reserve(problem.robot->joints().size());
   for (const Joint& joint : problem.robot->joints()) names.push_back(joint.name);
   const auto file = folder / "trajectory.csv";
   write_trajectory(file, names, result.trajectory);
@@ -140,6 +141,7 @@ double median(std::vector<double> values) {
 template <class Value>
 void print_spread(const char* what, const std::vector<Outcome>& outcomes, const Value& value) {
   std::vector<double> values;
+  values.reserve(outcomes.size());
   for (const Outcome& outcome : outcomes) values.push_back(value(outcome));
   if (values.empty()) return;
   std::printf("%-44s median %10.4g   least %10.4g   largest %10.4g\n", what, median(values),
@@ -217,19 +219,24 @@ void report(int first, int count, int thread_count, const std::string& csv) {
 
 int main(int argc, char** argv) {
   using namespace wristwise;
-  CLI::App app("The random test bed");
-  int first = 0, count = 300, thread_count = 1, index = -1;
-  std::string csv, yaml;
-  app.add_option("--first", first, "first seam");
-  app.add_option("--count", count, "number of seams");
-  app.add_option("--threads", thread_count, "threads of stage 1");
-  app.add_option("--csv", csv, "table of all seams");
-  app.add_option("--seam", index, "with --write: which seam");
-  app.add_option("--write", yaml, "writes the problem file of the seam and stops");
-  CLI11_PARSE(app, argc, argv);
-  if (!yaml.empty()) {
-    benchmarks::write_file(yaml, test::bed::random_seam(index).problem);
-    return 0;
+  try {
+    CLI::App app("The random test bed");
+    int first = 0, count = 300, thread_count = 1, index = 0;
+    std::string csv, yaml;
+    app.add_option("--first", first, "first seam");
+    app.add_option("--count", count, "number of seams");
+    app.add_option("--threads", thread_count, "threads of stage 1");
+    app.add_option("--csv", csv, "table of all seams");
+    app.add_option("--seam", index, "with --write: which seam");
+    app.add_option("--write", yaml, "writes the problem file of the seam and stops");
+    CLI11_PARSE(app, argc, argv);
+    if (yaml.empty()) {
+      benchmarks::report(first, count, thread_count, csv);
+    } else {
+      benchmarks::write_file(yaml, test::bed::random_seam(index).problem);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
   }
-  benchmarks::report(first, count, thread_count, csv);
 }
