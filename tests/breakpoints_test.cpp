@@ -26,19 +26,22 @@ TEST(EveryNth, KeepsTheEndsAndIsNested) {
   EXPECT_EQ(every_nth(fine, 1), fine);
 }
 
-TEST(WithSplitSpans, SplitsWhereItIsAsked) {
+TEST(SplitInHalves, SplitsWhereItIsAsked) {
   const std::vector<double> breakpoints = {0, 1, 2, 4};
-  EXPECT_EQ(with_split_spans(breakpoints, {}, {}, 0), breakpoints);
-  EXPECT_EQ(with_split_spans(breakpoints, {0.3}, {}, 0), (std::vector<double>{0, 0.5, 1, 2, 4}));
+  EXPECT_EQ(split_in_halves(breakpoints, {}, 0), breakpoints);
+  EXPECT_EQ(split_in_halves(breakpoints, {0.3}, 0), (std::vector<double>{0, 0.5, 1, 2, 4}));
   // A breakpoint belongs to both of its spans.
-  EXPECT_EQ(with_split_spans(breakpoints, {1.0}, {}, 0),
-            (std::vector<double>{0, 0.5, 1, 1.5, 2, 4}));
-  // At a preferred time in the middle half; not shorter than asked.
-  EXPECT_EQ(with_split_spans(breakpoints, {3}, {2.1, 2.7, 3.4, 3.9}, 0),
+  EXPECT_EQ(split_in_halves(breakpoints, {1.0}, 0), (std::vector<double>{0, 0.5, 1, 1.5, 2, 4}));
+  EXPECT_EQ(split_in_halves(breakpoints, {0.3, 3}, 0.6), (std::vector<double>{0, 1, 2, 3, 4}));
+}
+
+TEST(SplitAtPlaces, TakesThePlaceNearestToTheMiddle) {
+  const std::vector<double> breakpoints = {0, 1, 2, 4};
+  EXPECT_EQ(split_at_places(breakpoints, {3}, {0, 2, 2.1, 2.7, 3.4, 4}),
             (std::vector<double>{0, 1, 2, 2.7, 4}));
-  EXPECT_EQ(with_split_spans(breakpoints, {3}, {2.1, 3.9}, 0),
-            (std::vector<double>{0, 1, 2, 3, 4}));
-  EXPECT_EQ(with_split_spans(breakpoints, {0.3, 3}, {}, 0.6), (std::vector<double>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(split_at_places(breakpoints, {0.5, 3}, {0, 1, 2, 3.9, 4}),
+            (std::vector<double>{0, 1, 2, 3.9, 4}));
+  EXPECT_EQ(split_at_places(breakpoints, {3}, {0, 1, 2, 4}), breakpoints);
 }
 
 }  // namespace

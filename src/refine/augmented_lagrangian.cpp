@@ -15,7 +15,7 @@ constexpr double kStiff = 1e5;  ///< mu / first mu at which a larger violation m
 constexpr double kRateShare = 0.1;       ///< first mu of rates, as a share of the objective
 constexpr double kRateTolerance = 5e-4;  ///< of rates, half the margin they are kept by
 constexpr double kBand = 0.02;           ///< m; pairs that are nearer than this get a constraint
-constexpr int kStalledRounds = 2;
+constexpr int kStalledRounds = 3;
 constexpr int kPatience = 2;  ///< rounds in which the inner solver may run out of iterations
 
 }  // namespace
@@ -83,6 +83,7 @@ Ending AugmentedLagrangian::solve(const Accuracy& accuracy, const Stop& stop,
     if (stop.requested()) return Ending::stopped;
     measure();
     const double objective = terms().total();
+    if (getenv("WW_TRACE")) fprintf(stderr,"round %d spans %d points %zu its %d J %.8g viol %.3g rate %.3g mu %.3g %.3g\n", round, spline_.basis.span_count(), points_.size(), iterations_, objective, places_.violation, rates_.violation, places_.mu, rates_.mu);
     const bool settled =
         settled_inside && std::abs(objective - last_objective) <= accuracy.settled * objective;
     last_objective = objective;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <optional>
 
 namespace wristwise {
 
@@ -30,28 +30,44 @@ std::vector<double> every_nth(const std::vector<double>& breakpoints, std::size_
   return coarse;
 }
 
-std::vector<double> with_split_spans(const std::vector<double>& breakpoints,
-                                     const std::vector<double>& at,
-                                     const std::vector<double>& preferred, double shortest) {
+namespace {
+
+/// Adds where(from, to) for each span [from, to] that holds one of the times `at`.
+template <class Where>
+std::vector<double> split(const std::vector<double>& breakpoints, const std::vector<double>& at,
+                          const Where& where) {
   std::vector<double> result = breakpoints;
   for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
-    const double from = breakpoints[i], to = breakpoints[i + 1], width = to - from;
-    if (width < 2 * shortest) continue;
+    const double from = breakpoints[i], to = breakpoints[i + 1];
     const auto in_span = std::lower_bound(at.begin(), at.end(), from);
     if (in_span == at.end() || *in_span > to) continue;
-    const double middle = 0.5 * (from + to);
-    const auto after = std::lower_bound(preferred.begin(), preferred.end(), middle);
-    double best = middle, distance = width / 4;
-    for (auto time = after == preferred.begin() ? after : std::prev(after);
-         time != preferred.end() && *time < to; ++time) {
-      if (std::abs(*time - middle) >= distance) continue;
-      best = *time;
-      distance = std::abs(*time - middle);
-    }
-    result.push_back(best);
+    if (const std::optional<double> place = where(from, to)) result.push_back(*place);
   }
   std::sort(result.begin(), result.end());
   return result;
+}
+
+}  // namespace
+
+std::vector<double> split_at_places(const std::vector<double>& breakpoints,
+                                    const std::vector<double>& at,
+                                    const std::vector<double>& places) {
+  return split(breakpoints, at, [&](double from, double to) {
+    std::optional<double> best;
+    const double middle = 0.5 * (from + to);
+    for (auto place = std::upper_bound(places.begin(), places.end(), from);
+         place != places.end() && *place < to; ++place) {
+      if (!best || std::abs(*place - middle) < std::abs(*best - middle)) best = *place;
+    }
+    return best;
+  });
+}
+
+std::vector<double> split_in_halves(const std::vector<double>& breakpoints,
+                                    const std::vector<double>& at, double shortest) {
+  return split(breakpoints, at, [&](double from, double to) {
+    return to - from >= 2 * shortest ? std::optional<double>(0.5 * (from + to)) : std::nullopt;
+  });
 }
 
 }  // namespace wristwise

@@ -12,11 +12,14 @@ std::vector<double> choose_breakpoints(const std::vector<double>& times, double 
 /// About every n-th of them; the first and the last are kept.
 std::vector<double> every_nth(const std::vector<double>& breakpoints, std::size_t n);
 
-/// Splits the spans that hold one of the times `at` (ascending; both ends count), unless a half
-/// would be shorter than `shortest` (s): at one of the `preferred` times (ascending) where one lies
-/// in the middle half of the span, else in its middle.
-std::vector<double> with_split_spans(const std::vector<double>& breakpoints,
-                                     const std::vector<double>& at,
-                                     const std::vector<double>& preferred, double shortest);
+/// Splits the spans that hold one of the times `at` (ascending; both ends count) at the one of
+/// `places` (ascending) that is nearest to the middle; spans without one inside are kept.
+std::vector<double> split_at_places(const std::vector<double>& breakpoints,
+                                    const std::vector<double>& at,
+                                    const std::vector<double>& places);
+
+/// Splits them in the middle, unless a half would be shorter than `shortest` (s).
+std::vector<double> split_in_halves(const std::vector<double>& breakpoints,
+                                    const std::vector<double>& at, double shortest);
 
 }  // namespace wristwise

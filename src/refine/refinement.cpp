@@ -141,16 +141,23 @@ class Attempt {
     }
   }
 
+  /// More knots where the constraints do not hold: at waypoints while there are some between the
+  /// knots, as the rows of the result are then the waypoints alone.
   bool split_spans() {
     const auto& breakpoints = lagrangian_.spline().basis.breakpoints();
-    std::vector<double> waypoint_times;
-    for (const Waypoint& waypoint : input_.task.waypoints) waypoint_times.push_back(waypoint.time);
-    auto finer = with_split_spans(breakpoints,
-                                  lagrangian_.violated_times(input_.options.constraint_tolerance),
-                                  waypoint_times, kShortestSpan * spacing());
+    const auto at = lagrangian_.violated_times(input_.options.constraint_tolerance);
+    auto finer = split_at_places(breakpoints, at, waypoint_times());
+    if (finer.size() == breakpoints.size())
+      finer = split_in_halves(breakpoints, at, kShortestSpan * spacing());
     if (finer.size() == breakpoints.size()) return false;
     lagrangian_.use_breakpoints(std::move(finer));
     return true;
+  }
+
+  std::vector<double> waypoint_times() const {
+    std::vector<double> times;
+    for (const Waypoint& waypoint : input_.task.waypoints) times.push_back(waypoint.time);
+    return times;
   }
 
   /// Constraint points at waypoints that were left out and do not hold, and at the worst dip of
@@ -215,8 +222,7 @@ class Attempt {
 
   /// Of the waypoints and the knots between them.
   std::vector<double> row_times(const SplineBasis& basis) const {
-    std::vector<double> times;
-    for (const Waypoint& waypoint : input_.task.waypoints) times.push_back(waypoint.time);
+    std::vector<double> times = waypoint_times();
     const std::size_t waypoints = times.size();
     for (const double t : basis.breakpoints()) {
       const auto end = times.begin() + static_cast<std::ptrdiff_t>(waypoints);
