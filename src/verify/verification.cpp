@@ -237,6 +237,7 @@ class Verifier {
   void measure_clearance() {
     const int count = std::max(10, options_.samples_per_interval);
     for (std::size_t i = 0; i + 1 < motion_.times().size(); ++i) {
+      if (result_.clearance && stays_clear_by(*result_.clearance, *motion_.stretch(i))) continue;
       const double t0 = motion_.times()[i], t1 = motion_.times()[i + 1];
       for (int k = 0; k <= count; ++k) {
         const double t = t0 + k * (t1 - t0) / count;
@@ -246,6 +247,20 @@ class Verifier {
         if (nearest) record_clearance(nearest->pair, nearest->distance, t);
       }
     }
+  }
+
+  /// Whether no pair can come nearer than `distance` on the stretch, by the distances at its middle
+  /// and the motion bound (F10).
+  bool stays_clear_by(double distance, const Motion& stretch) {
+    const JointVector spread = stretch.spread(0, 1);
+    checker_.set_posture(stretch.posture(0.5));
+    for (int pair = 0; pair < static_cast<int>(clearance_model().pairs().size()); ++pair) {
+      const double needed = distance + clearance_model().motion_radius(pair).dot(spread);
+      if (checker_.lower_bound(pair) < needed && checker_.distance(pair).distance < needed)
+        return false;
+    }
+    ++result_.samples;
+    return true;
   }
 
   void record_clearance(int pair, double distance, double time) {
