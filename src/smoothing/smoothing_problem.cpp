@@ -18,6 +18,7 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kShortestStep = 1e-5;  ///< s; below it round-off is what the jerk shows
 /// Of the tolerance, what the box at waypoints leaves to what holds between them.
 constexpr double kBetweenShare = 0.1;
+constexpr double kKnotShare = 0.4;  ///< of the time over which the motion is nearly straight
 
 void check(const SmoothingOptions& options) {
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
@@ -79,10 +80,10 @@ SmoothingProblem smoothing_problem(const std::shared_ptr<const Robot>& robot, co
   Problem& problem = result.problem;
   problem.name = robot->name();
   problem.robot = robot;
-  problem.refine.smoothing_time =
-      options.smoothing_time ? *options.smoothing_time
-                             : straight_time(drawn.path.times, drawn.poses,
-                                             options.position_tolerance, options.angle_tolerance);
+  const double straight = straight_time(drawn.path.times, drawn.poses, options.position_tolerance,
+                                        options.angle_tolerance);
+  problem.refine.smoothing_time = options.smoothing_time.value_or(straight);
+  problem.refine.knot_spacing = kKnotShare * straight;
   if (options.self_collision) {
     problem.scene.disabled = touching_pairs(robot, drawn.path, result.warnings);
   } else {
