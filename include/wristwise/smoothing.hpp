@@ -32,7 +32,8 @@ struct SmoothingProblem {
 
 /// The problem of keeping the TCP path that `path`, its points joined by straight joint-space
 /// moves, draws. Any chain: no inverse kinematics. Its tolerance boxes lie inside the tolerances'
-/// balls (F51), for all t as far as the moves' deviation from the seam goes (F52).
+/// balls (F51), for all t as far as the moves' deviation from the seam goes (F52). Where the path
+/// stands still at its start or end, so does the result.
 /// @throws InvalidInput for a path that does not fit the robot, points less than 10 us apart, or
 /// options out of range.
 SmoothingProblem smoothing_problem(const std::shared_ptr<const Robot>& robot, const JointPath& path,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "smoothing/chord_bound.hpp"
+#include "smoothing/pose_difference.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
@@ -17,10 +18,6 @@ constexpr double kShortestStep = 1e-3;  ///< s between points that are added
 /// In tolerances: the longest travel between points, so that the curve may have a knot as often as
 /// it takes to round a corner.
 constexpr double kTravel = 20;
-
-double turn_between(const Pose& a, const Pose& b) {
-  return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
-}
 
 class Drawing {
  public:

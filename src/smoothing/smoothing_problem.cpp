@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "smoothing/drawn_path.hpp"
+#include "smoothing/rest.hpp"
 #include "smoothing/straight_time.hpp"
 #include "smoothing/tolerance_ball.hpp"
 #include "smoothing/touching_pairs.hpp"
@@ -18,7 +19,9 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kShortestStep = 1e-5;  ///< s; below it round-off is what the jerk shows
 /// Of the tolerance, what the box at waypoints leaves to what holds between them.
 constexpr double kBetweenShare = 0.1;
-constexpr double kKnotShare = 0.4;  ///< of the time over which the motion is nearly straight
+constexpr double kRestShare = 0.25;  ///< of the tolerance, within which the path stands still
+constexpr int kMaxRounds = 100;      ///< noise adds points to the constraints again and again
+constexpr double kKnotShare = 0.4;   ///< of the time over which the motion is nearly straight
 
 void check(const SmoothingOptions& options) {
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
@@ -45,7 +48,7 @@ void check_steps(const JointPath& path) {
 }
 
 /// At waypoints the smaller box; between them, widened, the larger one.
-Task keep(DrawnPath drawn, const SmoothingOptions& options) {
+Task keep(DrawnPath drawn, const SmoothingOptions& options, double rest_duration) {
   const double share = 1 - kChordShare;
   const ToleranceBox between =
       box_in_ball(share * options.position_tolerance, share * options.angle_tolerance);
@@ -53,6 +56,11 @@ Task keep(DrawnPath drawn, const SmoothingOptions& options) {
   task.between_position = kBetweenShare * between.upper[0];
   task.between_angle = kBetweenShare * between.upper[3];
   const ToleranceBox at_waypoints = between.widened(-task.between_position, -task.between_angle);
+  const double rest_position = kRestShare * options.position_tolerance;
+  const double rest_angle = kRestShare * options.angle_tolerance;
+  const auto& times = drawn.path.times;
+  task.rest_at_start = rests_at_start(times, drawn.poses, rest_duration, rest_position, rest_angle);
+  task.rest_at_end = rests_at_end(times, drawn.poses, rest_duration, rest_position, rest_angle);
   task.seam = std::move(drawn.seam);
   task.waypoints.resize(drawn.path.size());
   for (std::size_t i = 0; i < drawn.path.size(); ++i) {
@@ -83,13 +91,14 @@ SmoothingProblem smoothing_problem(const std::shared_ptr<const Robot>& robot, co
   const double straight = straight_time(drawn.path.times, drawn.poses, options.position_tolerance,
                                         options.angle_tolerance);
   problem.refine.smoothing_time = options.smoothing_time.value_or(straight);
+  problem.refine.max_rounds = kMaxRounds;
   problem.refine.knot_spacing = kKnotShare * straight;
   if (options.self_collision) {
     problem.scene.disabled = touching_pairs(robot, drawn.path, result.warnings);
   } else {
     problem.scene.scope = CollisionScope::off;
   }
-  problem.task = keep(std::move(drawn), options);
+  problem.task = keep(std::move(drawn), options, problem.refine.knot_spacing);
   return result;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "smoothing/pose_difference.hpp"
+
 namespace wristwise {
 
 namespace {
@@ -23,11 +25,6 @@ std::size_t nearest(const std::vector<double>& times, double t) {
   const auto after = std::lower_bound(times.begin() + 1, times.end() - 1, t);
   const auto i = static_cast<std::size_t>(after - times.begin());
   return t - times[i - 1] < times[i] - t ? i - 1 : i;
-}
-
-bool is_near(const Pose& a, const Pose& b, double position, double angle) {
-  return (a.translation() - b.translation()).norm() <= position &&
-         Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() <= angle;
 }
 
 Pose between(const Pose& from, const Pose& to, double fraction) {

@@ -242,6 +242,23 @@ TEST(OfflineSmoothing, RobotThatWaits) {
   expect_kept(path, result, planar_tcp);
 }
 
+TEST(OfflineSmoothing, FromRestToRestStaysSo) {
+  const Swing swing = planar_swing();
+  JointPath path = record(swing, recording_times(300, 0.01), 2e-5);
+  const auto eased = [](double t) {  // at rest for 0.5 s at both ends, of 3 s
+    const double u = std::clamp((t - 0.5) / 2, 0.0, 1.0);
+    return 2 * u * u * u * (10 - 15 * u + 6 * u * u);
+  };
+  for (std::size_t i = 0; i < path.size(); ++i)
+    path.positions[i] += swing.at(eased(path.times[i])) - swing.at(path.times[i]);
+  const PlanResult result = smooth(robot(planar_parts()), path, {});
+  expect_kept(path, result, planar_tcp);
+  for (const double t : {path.times.front(), path.times.back()}) {
+    EXPECT_LT(result.trajectory.evaluate(t, 1).norm(), 1e-9) << t;
+    EXPECT_LT(result.trajectory.evaluate(t, 2).norm(), 1e-9) << t;
+  }
+}
+
 TEST(OfflineSmoothing, RobotThatNeverMoves) {
   JointPath path;
   for (int i = 0; i < 50; ++i) {
