@@ -23,6 +23,10 @@ constexpr double kRestShare = 0.25;  ///< of the tolerance, within which the pat
 constexpr int kMaxRounds = 100;      ///< noise adds points to the constraints again and again
 constexpr double kKnotShare = 0.4;   ///< of the time over which the motion is nearly straight
 
+constexpr const char* kRowsTooFarApart =
+    "from point to point the given path bends, or its noise is, by more than the tolerance: a "
+    "smooth curve may not be able to follow; denser points or a larger tolerance would help";
+
 void check(const SmoothingOptions& options) {
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
   if (!positive(options.position_tolerance))
@@ -88,11 +92,12 @@ SmoothingProblem smoothing_problem(const std::shared_ptr<const Robot>& robot, co
   Problem& problem = result.problem;
   problem.name = robot->name();
   problem.robot = robot;
-  const double straight = straight_time(drawn.path.times, drawn.poses, options.position_tolerance,
-                                        options.angle_tolerance);
-  problem.refine.smoothing_time = options.smoothing_time.value_or(straight);
+  const StraightTime straight = straight_time(drawn.path.times, drawn.poses,
+                                              options.position_tolerance, options.angle_tolerance);
+  problem.refine.smoothing_time = options.smoothing_time.value_or(straight.time);
   problem.refine.max_rounds = kMaxRounds;
-  problem.refine.knot_spacing = kKnotShare * straight;
+  problem.refine.knot_spacing = kKnotShare * straight.time;
+  if (!straight.straight) result.warnings.push_back(kRowsTooFarApart);
   if (options.self_collision) {
     problem.scene.disabled = touching_pairs(robot, drawn.path, result.warnings);
   } else {

@@ -55,14 +55,14 @@ bool is_straight_over(double length, const std::vector<double>& times,
 
 }  // namespace
 
-double straight_time(const std::vector<double>& times, const std::vector<Pose>& poses,
-                     double position, double angle) {
+StraightTime straight_time(const std::vector<double>& times, const std::vector<Pose>& poses,
+                           double position, double angle) {
   const double longest = 0.25 * (times.back() - times.front());
   const double shortest = std::min(kFewestSteps * median_step(times), longest);
-  double length = longest;
-  while (length > shortest && !is_straight_over(length, times, poses, position, angle))
-    length *= 0.5;
-  return std::max(length, shortest);
+  for (double length = longest;; length = std::max(0.5 * length, shortest)) {
+    const bool straight = is_straight_over(length, times, poses, position, angle);
+    if (straight || length <= shortest) return {length, straight};
+  }
 }
 
 }  // namespace wristwise
