@@ -8,6 +8,7 @@
 #include "graph/graph_planner.hpp"
 #include "parallel.hpp"
 #include "refine/seed_refinement.hpp"
+#include "smoothing/whole_turns.hpp"
 #include "stopwatch.hpp"
 #include "verify/pace_check.hpp"
 #include "wristwise/error.hpp"
@@ -25,6 +26,10 @@ VerificationOptions verification_options(const Problem& problem, const PlanOptio
   VerificationOptions verification = options.verification;
   verification.clearance_epsilon = problem.refine.clearance_epsilon;
   return verification;
+}
+
+void append(const std::vector<std::string>& lines, std::vector<std::string>& to) {
+  to.insert(to.end(), lines.begin(), lines.end());
 }
 
 /// The pipeline: samples -> rungs -> seed path -> refined trajectory -> verification.
@@ -50,8 +55,11 @@ class Pipeline {
     validate(path, problem_.robot->joint_count(), "joint path");
     return run([&] {
       prepare();
+      Unwrapped unwrapped = without_whole_turns(*problem_.robot, path);
+      append(unwrapped.warnings, result_.warnings);
       const Task task = problem_.task.with_waypoints_at(path.times);
-      result_.path = path;
+      result_.path = std::move(unwrapped.path);
+      check_given_path(task);
       refine_path(task);
       verify_result(task);
     });
@@ -157,6 +165,11 @@ class Pipeline {
          "stage 2 ended without meeting every constraint: " + result_.refine.termination,
          "look at the verification for what is not met; widen that tolerance, weld slower, or "
          "start from another path"});
+  }
+
+  void check_given_path(const Task& task) {
+    const Stopwatch watch(result_.timing.verify);
+    result_.before = {result_.path, verify(task, clearance_, result_.path, verification_)};
   }
 
   void verify_result(const Task& task) {

@@ -1,8 +1,10 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "gantry_urdf.hpp"
 #include "run_program.hpp"
 #include "temporary_folder.hpp"
 #include "wristwise/trajectory_file.hpp"
@@ -207,6 +209,99 @@ TEST_F(CommandLine, SmoothRepairsAPlannedPath) {
       run({"smooth", "p.yaml", "--joints", "graph/trajectory.csv", "--out", "smooth"});
   EXPECT_EQ(smoothed.exit_code, 0) << smoothed.out << smoothed.err;
   EXPECT_EQ(result("smooth")["mode"], "smooth");
+}
+
+TEST_F(CommandLine, SmoothPutsBeforeBesideAfter) {
+  write(kProblem);
+  ASSERT_EQ(run({"plan", "p.yaml", "--mode", "graph-only", "--out", "graph"}).exit_code, 0);
+  const ProgramRun smoothed =
+      run({"smooth", "p.yaml", "--joints", "graph/trajectory.csv", "--out", "smooth"});
+  for (const char* part : {"before", "after", "limit", "peak jerk of joint_a6", "violated now"})
+    EXPECT_NE(smoothed.out.find(part), std::string::npos) << part << "\n" << smoothed.out;
+  const Json json = result("smooth");
+  for (const char* side : {"before", "after"})
+    for (const char* key :
+         {"velocity", "acceleration", "jerk", "velocity_ratio", "acceleration_ratio", "jerk_ratio"})
+      EXPECT_TRUE(json[side]["peaks"]["joint_a6"][key].is_number()) << side << key;
+  EXPECT_EQ(json["after"]["verification"], json["verification"]);
+}
+
+TEST_F(CommandLine, SmoothsWithoutAProblem) {
+  folder_.write("gantry.urdf", test::kGantryUrdf);
+  folder_.write("limits.yaml", "joint_limits:\n  x: {max_acceleration: 5, max_jerk: 50}\n");
+  std::string recording = "time,x,y,turn\n";
+  for (int i = 0; i < 40; ++i)  // 0.2 mm of noise on a slow ramp
+    recording += fmt::format("{},{},{},{}\n", 0.02 * i, 0.002 * i + (i % 2) * 2e-4, 0.1, 0.01 * i);
+  folder_.write("recording.csv", recording);
+  const std::vector<std::string> command = {
+      "smooth",   "--urdf",      "gantry.urdf", "--base",        "base",   "--tip",       "tip",
+      "--limits", "limits.yaml", "--joints",    "recording.csv", "--keep", "0.5mm,0.5deg"};
+  const ProgramRun outcome = run(command);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Json json = result("out/recording");
+  EXPECT_EQ(json["status"], "solved");
+  EXPECT_EQ(json["mode"], "smooth");
+  EXPECT_EQ(json["waypoints"], 40);
+  EXPECT_EQ(json["joints"], Json::array({"x", "y", "turn"}));
+  EXPECT_EQ(json["before"]["violation_count"], 1);  // the jerk of x
+  EXPECT_EQ(json["after"]["violation_count"], 0);
+  EXPECT_LT(json["after"]["peaks"]["x"]["jerk"],
+            0.01 * double(json["before"]["peaks"]["x"]["jerk"]));
+  EXPECT_NE(outcome.out.find("jerk of x is"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("violated now: nothing"), std::string::npos) << outcome.out;
+
+  std::vector<std::string> timed = command;
+  timed.insert(timed.end(), {"--smoothing-time", "50 ms", "--out", "timed", "--no-self-collision"});
+  EXPECT_EQ(run(timed).exit_code, 0);
+  EXPECT_EQ(result("timed")["status"], "solved");
+}
+
+TEST_F(CommandLine, SmoothNamesWhatIsMissingOrDoesNotGoTogether) {
+  write(kProblem);
+  folder_.write("gantry.urdf", test::kGantryUrdf);
+  folder_.write("t.csv", "time,x,y,turn\n0,0,0,0\n1,0,0,0\n");
+  const auto with = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"smooth", "--joints", "t.csv"});
+    return more;
+  };
+  expect_invalid(with({}), {"PROBLEM", "--urdf"});
+  expect_invalid(with({"--urdf", "gantry.urdf"}), {"--keep"});
+  expect_invalid(with({"p.yaml", "--keep", "1mm,1deg"}), {"--keep", "PROBLEM"});
+  expect_invalid(with({"p.yaml", "--urdf", "gantry.urdf"}), {"--urdf", "PROBLEM"});
+  for (const char* keep : {"1mm", "1mm,1deg,1deg", "1deg,1mm", "1mm,x", "0mm,1deg", "-1mm,1deg",
+                           "1mm,180deg", "nan,1deg", ""})
+    expect_invalid(with({"--urdf", "gantry.urdf", "--keep", keep}), {"expected"});
+  const auto kept = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--urdf", "gantry.urdf", "--keep", "1mm,1deg"});
+    return with(std::move(more));
+  };
+  expect_invalid(kept({"--smoothing-time", "0"}), {"--smoothing-time"});
+  expect_invalid(kept({"--smoothing-time", "1 mm"}), {"--smoothing-time"});
+  expect_invalid(kept({"--tip", "tup"}), {"tup", "'tip'"});
+  folder_.write("t.csv", "time,x,y\n0,0,0\n1,0,0\n");
+  expect_invalid(kept({}), {"t.csv:1", "'turn'"});
+  folder_.write("t.csv", "time,x,y,turn\n0,0,0,0\n1,0,nan,0\n");
+  expect_invalid(kept({}), {"t.csv:3", "'y'", "finite"});
+  folder_.write("t.csv", "time,x,y,turn\n0,0,0,0\n1,0,0,0\n1,0,0,0\n");
+  expect_invalid(kept({}), {"t.csv:4", "increase"});
+  folder_.write("t.csv", "time,x,y,turn\n0,0,0,0\n0.000001,0,0,0\n");
+  expect_invalid(kept({}), {"point 1", "10 us"});
+  folder_.write("t.csv", "time,x,y,turn\n0,0,0,0\n");
+  expect_invalid(kept({}), {"t.csv", "at least two"});
+}
+
+TEST_F(CommandLine, WhatCannotBeSmoothedIsWrittenAsFailed) {
+  // A corner at full speed, a metre per second: no curve within 0.01 mm keeps 5 m/s^2.
+  folder_.write("gantry.urdf", test::kGantryUrdf);
+  folder_.write("limits.yaml",
+                "joint_limits:\n  x: {max_acceleration: 5}\n  y: {max_acceleration: 5}\n");
+  folder_.write("t.csv", "time,x,y,turn\n0,0,0,0\n0.5,0.4,0,0\n1,0.4,0.4,0\n");
+  const ProgramRun outcome = run({"smooth", "--urdf", "gantry.urdf", "--limits", "limits.yaml",
+                                  "--joints", "t.csv", "--keep", "0.01mm,0.1deg", "--out", "out"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
+  EXPECT_EQ(result("out")["status"], "failed");
+  EXPECT_GT(result("out")["after"]["violation_count"], 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "trajectory.csv"));
 }
 
 TEST_F(CommandLine, CompareWritesBoth) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -165,6 +166,34 @@ TEST(ResultFile, VerificationIsTranscribed) {
   EXPECT_EQ(json["speed_held"]["worst_time_s"], 2.5);
   EXPECT_EQ(json["speed_held"]["worst_joint"], "slide");
   EXPECT_EQ(json["verification"], Json::parse(verification_json(v, slider_problem())));
+}
+
+TEST(ResultFile, SmoothHasBeforeAndAfter) {
+  PlanResult result = parabola();
+  result.mode = Mode::smooth;
+  EXPECT_TRUE(Json::parse(result_json(result, slider_problem()))["before"].is_null());
+  result.before = {{{0, 1, 3, 4}, {value(0), value(1), value(9), value(9)}}, {}};
+  result.before->verification.run = true;
+  result.before->verification.failures = {"too fast"};
+  result.before->verification.warnings = {"jerk"};
+  EXPECT_TRUE(Json::parse(result_json(result, slider_problem()))["after"].is_null());
+  // From rest to rest: 10 u^3 - 15 u^4 + 6 u^5.
+  result.trajectory =
+      Trajectory({0, 1}, {value(0), value(1)}, {value(0), value(0)}, {value(0), value(0)});
+  result.verification.run = result.verification.curve = result.verification.passed = true;
+  const Json json = Json::parse(result_json(result, slider_problem()));
+  const Json& before = json["before"];
+  const Json& after = json["after"];
+  EXPECT_DOUBLE_EQ(before["peaks"]["slide"]["velocity"], 4.0);
+  EXPECT_DOUBLE_EQ(before["peaks"]["slide"]["velocity_ratio"], 4.0);  // of 1 m/s
+  EXPECT_EQ(before["violation_count"], 2);
+  EXPECT_EQ(before["violations"], Json::array({"too fast", "jerk"}));
+  EXPECT_EQ(before["verification"]["run"], true);
+  EXPECT_NEAR(after["peaks"]["slide"]["velocity"], 15.0 / 8, 1e-12);  // at u = 1/2
+  EXPECT_NEAR(after["peaks"]["slide"]["acceleration"], 10 / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(after["peaks"]["slide"]["jerk"], 60, 1e-12);  // at the ends
+  EXPECT_EQ(after["peaks"]["slide"]["jerk_ratio"], 0);      // without a limit
+  EXPECT_EQ(after["violation_count"], 0);
 }
 
 TEST(ResultFile, FilesOfAnEarlierResultDoNotSurvive) {

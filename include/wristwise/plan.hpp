@@ -117,6 +117,12 @@ struct Timing {  ///< s
   double load = 0, sampling = 0, search = 0, refine = 0, verify = 0, total = 0;
 };
 
+/// A joint path as it was given, its jumps by whole turns undone, and what the check says of it.
+struct GivenPath {
+  JointPath path;
+  Verification verification;
+};
+
 struct PlanResult {
   Status status = Status::failed;
   Mode mode = Mode::two_stage;
@@ -127,6 +133,7 @@ struct PlanResult {
   GraphStatistics graph;
   RefineStatistics refine;
   Verification verification;
+  std::optional<GivenPath> before;  ///< what smooth() started from
   std::vector<Diagnosis> diagnosis;
   std::vector<std::string> warnings;
   std::vector<ClearanceModel::Names> permanent_contacts;  ///< pairs left out of the check
@@ -140,7 +147,8 @@ PlanResult plan(const Problem& problem, const PlanOptions& options = {});
 /// Stage 1 alone, verified: what a Descartes-style planner gives.
 PlanResult plan_graph_only(const Problem& problem, const PlanOptions& options = {});
 
-/// Stage 2 alone on an existing joint path, whose times become the waypoints.
+/// Stage 2 alone on an existing joint path, whose times become the waypoints. Without a problem:
+/// smoothing.hpp.
 /// @throws InvalidInput where the path does not fit the robot or the seam.
 PlanResult smooth(const Problem& problem, const JointPath& path, const PlanOptions& options = {});
 

@@ -18,6 +18,7 @@ struct RobotSource {
   std::vector<std::filesystem::path> packages;  ///< folders searched for package://, before
                                                 ///< ROS_PACKAGE_PATH
   bool require_velocity_limits = true;          ///< false for a first look at a description
+  bool read_collision_shapes = true;            ///< false: links have none, meshes may be missing
 };
 
 /// Reads a serial chain from a URDF. Links off the chain are held at joint zero and carried along.

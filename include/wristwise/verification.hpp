@@ -70,6 +70,9 @@ struct Verification {
   std::vector<std::string> warnings;  ///< reported, but no reason to fail
 };
 
+/// Everything that is beyond a limit, a tolerance or a clearance, reason to fail or not.
+std::vector<std::string> violations_of(const Verification& verification);
+
 /// Checks points joined by straight joint-space moves.
 Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
                     const JointPath& path, const VerificationOptions& options = {});

@@ -16,6 +16,7 @@
 #include "wristwise/robot.hpp"
 #include "wristwise/scene.hpp"
 #include "wristwise/seam.hpp"
+#include "wristwise/smoothing.hpp"
 #include "wristwise/swept_clearance.hpp"
 #include "wristwise/tolerance.hpp"
 #include "wristwise/trajectory.hpp"

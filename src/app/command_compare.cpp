@@ -11,12 +11,12 @@ namespace wristwise::app {
 
 int run_compare(const CompareCommand& command, const Settings& settings) {
   const std::filesystem::path folder = output_folder(command.out, command.problem);
-  const PlanningRun graph_only =
-      run_planner(command.problem, Mode::graph_only, plan_graph_only, settings);
+  const Loader load = [&] { return load_problem(command.problem); };
+  const PlanningRun graph_only = run_planner(load, Mode::graph_only, plan_graph_only, settings);
   write_result(folder / "graph-only", graph_only.result, graph_only.problem);
   if (graph_only.exit_code == kInterrupted || graph_only.exit_code == kInternalError)
     return graph_only.exit_code;
-  const PlanningRun two_stage = run_planner(command.problem, Mode::two_stage, plan, settings);
+  const PlanningRun two_stage = run_planner(load, Mode::two_stage, plan, settings);
   write_result(folder / "two-stage", two_stage.result, two_stage.problem);
   fmt::print("{}written to {}\n",
              comparison_table(graph_only.result, two_stage.result, graph_only.problem),

@@ -11,9 +11,10 @@ namespace wristwise::app {
 int run_plan(const PlanCommand& command, const Settings& settings) {
   const std::filesystem::path folder = output_folder(command.out, command.problem);
   const bool graph_only = command.mode == mode_name(Mode::graph_only);
-  const PlanningRun run =
-      graph_only ? run_planner(command.problem, Mode::graph_only, plan_graph_only, settings)
-                 : run_planner(command.problem, Mode::two_stage, plan, settings);
+  const Loader load = [&] { return load_problem(command.problem); };
+  const PlanningRun run = graph_only
+                              ? run_planner(load, Mode::graph_only, plan_graph_only, settings)
+                              : run_planner(load, Mode::two_stage, plan, settings);
   write_result(folder, run.result, run.problem);
   fmt::print("{}", summary(run.result, run.problem, folder));
   return run.exit_code;

@@ -1,22 +1,119 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "app/commands.hpp"
 #include "app/joint_names.hpp"
 #include "app/output_folder.hpp"
 #include "app/planning_run.hpp"
 #include "app/summary.hpp"
+#include "io/quantity.hpp"
 #include "io/result_file.hpp"
+#include "wristwise/error.hpp"
+#include "wristwise/smoothing.hpp"
 #include "wristwise/trajectory_file.hpp"
+#include "wristwise/urdf.hpp"
 
 namespace wristwise::app {
 
+namespace {
+
+void require_problem_or_robot(const SmoothCommand& command) {
+  if (command.problem.empty() && command.urdf.empty())
+    throw InvalidInput("command line", "nothing says which robot it is",
+                       "a PROBLEM, or --urdf and --keep");
+  if (command.problem.empty()) {
+    if (command.keep.empty())
+      throw InvalidInput("command line", "--keep is missing",
+                         "how far the TCP may be moved, such as --keep 0.5mm,0.5deg");
+    return;
+  }
+  const bool has_robot = !command.urdf.empty() || !command.base_link.empty() ||
+                         !command.tip_link.empty() || !command.limits.empty();
+  if (has_robot || !command.keep.empty() || command.no_self_collision)
+    throw InvalidInput("command line",
+                       "--urdf, --base, --tip, --limits, --keep and --no-self-collision do not go "
+                       "with a PROBLEM",
+                       "either");
+}
+
+/// "0.5mm,0.5deg"
+void read_keep(const std::string& text, SmoothingOptions& options) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
+    throw InvalidInput("--keep", "'" + text + "'", "a length and an angle, such as 0.5mm,0.5deg");
+  options.position_tolerance = parse_quantity(text.substr(0, comma), Quantity::length, "--keep");
+  options.angle_tolerance = parse_quantity(text.substr(comma + 1), Quantity::angle, "--keep");
+}
+
+std::optional<double> read_smoothing_time(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const double time = parse_quantity(text, Quantity::time, "--smoothing-time");
+  if (time > 0) return time;
+  throw InvalidInput("--smoothing-time", "'" + text + "'", "a positive time");
+}
+
+SmoothingOptions smoothing_options(const SmoothCommand& command) {
+  SmoothingOptions options;
+  read_keep(command.keep, options);
+  options.smoothing_time = read_smoothing_time(command.smoothing_time);
+  options.self_collision = !command.no_self_collision;
+  return options;
+}
+
+RobotSource robot_source(const SmoothCommand& command) {
+  RobotSource source;
+  source.urdf = command.urdf;
+  source.base_link = command.base_link;
+  source.tip_link = command.tip_link;
+  source.limits = command.limits;
+  source.read_collision_shapes = !command.no_self_collision;
+  return source;
+}
+
+JointPath read_joint_path(const SmoothCommand& command, const Robot& robot) {
+  return read_trajectory(command.joints, joint_names(robot)).path;
+}
+
+SmoothingProblem load_with_problem(const SmoothCommand& command) {
+  SmoothingProblem loaded;
+  loaded.problem = load_problem(command.problem);
+  loaded.path = read_joint_path(command, *loaded.problem.robot);
+  if (const auto time = read_smoothing_time(command.smoothing_time))
+    loaded.problem.refine.smoothing_time = *time;
+  return loaded;
+}
+
+SmoothingProblem load_without_problem(const SmoothCommand& command) {
+  const SmoothingOptions options = smoothing_options(command);
+  const auto robot = std::make_shared<const Robot>(load_robot(robot_source(command)));
+  SmoothingProblem loaded = smoothing_problem(robot, read_joint_path(command, *robot), options);
+  loaded.problem.name = command.joints.stem().string();
+  return loaded;
+}
+
+}  // namespace
+
 int run_smooth(const SmoothCommand& command, const Settings& settings) {
-  const std::filesystem::path folder = output_folder(command.out, command.problem);
-  const Planner repair = [&](const Problem& problem, const PlanOptions& options) {
-    const TrajectoryFile file = read_trajectory(command.joints, joint_names(*problem.robot));
-    return smooth(problem, file.path, options);
+  require_problem_or_robot(command);
+  const bool with_problem = !command.problem.empty();
+  const std::filesystem::path folder =
+      output_folder(command.out, with_problem ? command.problem : command.joints);
+  JointPath path;
+  std::vector<std::string> warnings;
+  const Loader load = [&] {
+    SmoothingProblem loaded =
+        with_problem ? load_with_problem(command) : load_without_problem(command);
+    path = std::move(loaded.path);
+    warnings = std::move(loaded.warnings);
+    return std::move(loaded.problem);
   };
-  const PlanningRun run = run_planner(command.problem, Mode::smooth, repair, settings);
+  const Planner repair = [&](const Problem& problem, const PlanOptions& options) {
+    PlanResult result = smooth(problem, path, options);
+    result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
+    return result;
+  };
+  const PlanningRun run = run_planner(load, Mode::smooth, repair, settings);
   write_result(folder, run.result, run.problem);
   fmt::print("{}", summary(run.result, run.problem, folder));
   return run.exit_code;

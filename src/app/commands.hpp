@@ -17,9 +17,15 @@ struct PlanCommand {
 int run_plan(const PlanCommand& command, const Settings& settings);
 
 struct SmoothCommand {
-  std::filesystem::path problem;
+  std::filesystem::path problem;  ///< empty: none, but a robot and what to keep
   std::filesystem::path joints;
-  std::filesystem::path out;
+  std::filesystem::path out;  ///< empty: out/<problem>, or out/<joints>
+  std::string smoothing_time;
+  std::filesystem::path urdf;
+  std::string base_link, tip_link;
+  std::filesystem::path limits;
+  std::string keep;  ///< "0.5mm,0.5deg"
+  bool no_self_collision = false;
 };
 int run_smooth(const SmoothCommand& command, const Settings& settings);
 

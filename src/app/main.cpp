@@ -85,10 +85,21 @@ class CommandLine {
 
   void add_smooth() {
     CLI::App& command = add_command(program_, "smooth", "Repair an existing joint path");
-    add_problem(command, smooth_.problem);
+    command.add_option("PROBLEM", smooth_.problem, "Problem file (YAML); or --urdf and --keep");
     command.add_option("--joints", smooth_.joints, "Joint path (CSV); its rows are the waypoints")
         ->required();
-    add_out(command, smooth_.out);
+    command.add_option("--out", smooth_.out,
+                       "Folder for the results; default: out/<problem> or out/<joint path>");
+    command.add_option("--smoothing-time", smooth_.smoothing_time,
+                       "Time to smooth over, s; default: the problem's, or by the path");
+    command.add_option("--urdf", smooth_.urdf, "Without a problem: robot description (URDF)");
+    command.add_option("--base", smooth_.base_link, "Base link; default: the root");
+    command.add_option("--tip", smooth_.tip_link, "Tip link; default: of the longest chain");
+    command.add_option("--limits", smooth_.limits, "Joint limits (YAML); default: the URDF's");
+    command.add_option("--keep", smooth_.keep,
+                       "How far the TCP may be moved and turned, such as 0.5mm,0.5deg");
+    command.add_flag("--no-self-collision", smooth_.no_self_collision,
+                     "Don't keep the links clear of each other, don't read their meshes");
     command.callback([this] { action_ = [this] { return run_smooth(smooth_, settings_); }; });
   }
 

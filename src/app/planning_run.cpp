@@ -41,16 +41,16 @@ PlanResult failed_result(Mode mode, const std::string& what) {
 
 }  // namespace
 
-PlanningRun run_planner(const std::filesystem::path& problem, Mode mode, const Planner& planner,
+PlanningRun run_planner(const Loader& load, Mode mode, const Planner& planner,
                         const Settings& settings) {
   Console console(settings);
   PlanningRun run{};
   const Clock::time_point start = Clock::now();
   try {
-    run.problem = load_problem(problem);
-    const double load = seconds_since(start);
+    run.problem = load();
+    const double load_time = seconds_since(start);
     run.result = planner(run.problem, console.plan_options(run.problem));
-    run.result.timing.load = load;
+    run.result.timing.load = load_time;
     run.exit_code = exit_code(run.result.status);
   } catch (const InvalidInput&) {
     throw;

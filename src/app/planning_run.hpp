@@ -8,6 +8,7 @@
 
 namespace wristwise::app {
 
+using Loader = std::function<Problem()>;
 using Planner = std::function<PlanResult(const Problem&, const PlanOptions&)>;
 
 struct PlanningRun {
@@ -16,9 +17,9 @@ struct PlanningRun {
   int exit_code;
 };
 
-/// Reads the problem and runs the planner on it. An internal error becomes a failed result that
+/// Loads the problem and runs the planner on it. An internal error becomes a failed result that
 /// says so. @throws InvalidInput
-PlanningRun run_planner(const std::filesystem::path& problem, Mode mode, const Planner& planner,
+PlanningRun run_planner(const Loader& load, Mode mode, const Planner& planner,
                         const Settings& settings);
 
 }  // namespace wristwise::app

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/smoothing_table.hpp"
 #include "app/text_table.hpp"
 #include "app/verification_table.hpp"
 #include "io/peaks.hpp"
@@ -143,7 +144,8 @@ std::string summary(const PlanResult& result, const Problem& problem,
   std::string text = headline(result, problem) + diagnosis_lines(result);
   if (!result.inverse_kinematics.empty())
     text += "inverse kinematics: " + result.inverse_kinematics + "\n";
-  text += graph_lines(result) + refine_lines(result) + peak_lines(result, problem);
+  text += graph_lines(result) + refine_lines(result);
+  text += result.before ? smoothing_table(result, problem) : peak_lines(result, problem);
   if (result.verification.run) text += verification_table(result.verification, problem);
   text += note_lines(result) + timing_line(result.timing);
   return text + "written to " + folder.string() + "\n";

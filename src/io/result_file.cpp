@@ -208,6 +208,50 @@ Json verification_object(const Verification& verification, const Problem& proble
       {"warnings", verification.warnings}};
 }
 
+/// The peaks of joint j: value and share of the limit for each of the three derivatives.
+Json joint_peaks(const std::array<std::optional<JointVector>, 3>& peaks, const Robot& robot,
+                 int j) {
+  constexpr std::array<const char*, 3> kNames = {"velocity", "acceleration", "jerk"};
+  Json json = Json::object();
+  for (std::size_t k = 0; k < kNames.size(); ++k) {
+    const double limit = derivative_limits(robot, static_cast<int>(k) + 1)[j];
+    json[kNames[k]] = peaks[k] ? number((*peaks[k])[j]) : Json(nullptr);
+    json[std::string(kNames[k]) + "_ratio"] =
+        peaks[k] ? number((*peaks[k])[j] / limit) : Json(nullptr);
+  }
+  return json;
+}
+
+/// One side of before and after.
+Json side(const std::array<std::optional<JointVector>, 3>& peaks, const Verification& verification,
+          const Problem& problem) {
+  Json joints = Json::object();
+  for (int j = 0; j < problem.robot->joint_count(); ++j)
+    joints[problem.robot->joints()[static_cast<std::size_t>(j)].name] =
+        joint_peaks(peaks, *problem.robot, j);
+  const std::vector<std::string> violations = violations_of(verification);
+  return {{"peaks", std::move(joints)},
+          {"violation_count", violations.size()},
+          {"violations", violations},
+          {"verification", verification_object(verification, problem)}};
+}
+
+/// What smooth was given, by divided differences.
+Json before(const PlanResult& result, const Problem& problem) {
+  if (!result.before || !problem.robot) return nullptr;
+  const JointPath& path = result.before->path;
+  return side({peak_derivative(path, 1), peak_derivative(path, 2), peak_derivative(path, 3)},
+              result.before->verification, problem);
+}
+
+/// What it made of that, for all t.
+Json after(const PlanResult& result, const Problem& problem) {
+  if (!result.before || result.trajectory.empty() || !problem.robot) return nullptr;
+  const Trajectory& curve = result.trajectory;
+  return side({peak_derivative(curve, 1), peak_derivative(curve, 2), peak_derivative(curve, 3)},
+              result.verification, problem);
+}
+
 Json speed_held(const Verification& verification, const Problem& problem) {
   const bool run = verification.run;
   return {{"ratio", run ? number(verification.velocity_ratio) : Json(nullptr)},
@@ -315,6 +359,10 @@ std::string result_json(const PlanResult& result, const Problem& problem) {
   const Task task = task_as_run(result, problem);
   if (task.rest_at_start) json["run_in_s"] = task.weld_start() - task.seam.start_time();
   if (task.rest_at_end) json["run_out_s"] = task.seam.end_time() - task.weld_end();
+  if (result.mode == Mode::smooth) {
+    json["before"] = before(result, problem);
+    json["after"] = after(result, problem);
+  }
   return printed(json);
 }
 

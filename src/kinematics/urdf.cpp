@@ -177,8 +177,9 @@ class ChainReader {
   int list_link(const urdf::LinkConstSharedPtr& link) {
     const Placement placement = placements_.at(link->name);
     const int index = static_cast<int>(parts_.links.size());
-    parts_.links.push_back({link->name, placement.joint, placement.pose,
-                            collision_shapes(*link, mesh_folders_, where_)});
+    std::vector<Shape> shapes;
+    if (source_.read_collision_shapes) shapes = collision_shapes(*link, mesh_folders_, where_);
+    parts_.links.push_back({link->name, placement.joint, placement.pose, std::move(shapes)});
     for (std::size_t i = 0; i < link->child_links.size(); ++i) {
       const urdf::Joint& joint = *link->child_joints[i];
       const urdf::LinkConstSharedPtr child = link->child_links[i];

@@ -23,6 +23,7 @@ constexpr double kPointsOfUnitWeight = 50;  ///< the weight of a point is 1 wher
 constexpr double kFewestSpans = 48;
 constexpr double kCoarsestSpans = 12;
 constexpr std::size_t kCoarsening = 4;
+constexpr double kTurningStep = 0.04;   ///< of the smoothing time
 constexpr double kTurnOfASpan = 0.25;   ///< rad, of the seam
 constexpr double kSmoothingSpans = 20;  ///< the seed is smoothed over the duration / this, at least
 constexpr int kPointsPerSpan = 3;
@@ -32,15 +33,18 @@ constexpr double kShortestSpan = 0.02;  ///< of the first spacing
 constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8, false};
 constexpr double kStray = 1e-2;  ///< m and rad, in the first round
 
-/// How far the direction of travel turns along the waypoints, rad.
-double seam_turning(const Task& task) {
+/// How far the direction of travel turns along the waypoints, rad, seen in steps of at least `step`
+/// (s): the noise of a recorded path is no turning.
+double seam_turning(const Task& task, double step) {
   double turning = 0;
   Eigen::Vector3d last = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
-    const Eigen::Vector3d step =
-        task.waypoints[i + 1].frame.translation() - task.waypoints[i].frame.translation();
-    turning += std::atan2(last.cross(step).norm(), last.dot(step));
-    last = step;
+  const Waypoint* from = &task.waypoints.front();
+  for (const Waypoint& waypoint : task.waypoints) {
+    if (waypoint.time < from->time + step) continue;
+    const Eigen::Vector3d travel = waypoint.frame.translation() - from->frame.translation();
+    turning += std::atan2(last.cross(travel).norm(), last.dot(travel));
+    last = travel;
+    from = &waypoint;
   }
   return turning;
 }
@@ -52,7 +56,7 @@ class Attempt {
       : input_(input),
         stop_(stop),
         duration_(seed.times.back() - seed.times.front()),
-        turning_(seam_turning(input.task)),
+        turning_(seam_turning(input.task, kTurningStep * input.options.smoothing_time)),
         weights_(
             objective_weights(input.cost, input.options.smoothing_time, input.robot.joint_count())),
         checker_(input.clearance),

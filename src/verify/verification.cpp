@@ -341,6 +341,12 @@ class Verifier {
 
 }  // namespace
 
+std::vector<std::string> violations_of(const Verification& verification) {
+  std::vector<std::string> lines = verification.failures;
+  lines.insert(lines.end(), verification.warnings.begin(), verification.warnings.end());
+  return lines;
+}
+
 Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
                     const JointPath& path, const VerificationOptions& options) {
   validate(path, clearance->robot().joint_count(), "path");

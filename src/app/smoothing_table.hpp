@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "wristwise/plan.hpp"
+
+namespace wristwise::app {
+
+/// What smooth was given beside what it made of it: peaks of each joint, and what violates a limit,
+/// a tolerance or a clearance. Empty where nothing was smoothed.
+std::string smoothing_table(const PlanResult& result, const Problem& problem);
+
+}  // namespace wristwise::app
