@@ -71,6 +71,31 @@ TEST_F(CornerProblem, GraphOnlyStopsTurnsAndGoesOn) {
   EXPECT_LT((first.translation() - Eigen::Vector3d(0.95, -0.11, 0.2)).norm(), 2e-3);
 }
 
+/// At rest at the corner and at both ends: all joints, to what the check demands.
+TEST_F(CornerProblem, TwoStageIsASmoothMotionFromRestToRest) {
+  const Problem problem = load(problem_text());
+  const PlanResult result = plan(problem);
+  ASSERT_EQ(result.status, Status::solved);
+  ASSERT_FALSE(result.trajectory.empty());
+  expect_passed(check_written(problem, result));
+  const Trajectory& motion = result.trajectory;
+  for (const double t : {motion.times().front(), motion.times().back()}) {
+    EXPECT_LT(motion.evaluate(t, 1).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_LT(motion.evaluate(t, 2).cwiseAbs().maxCoeff(), 1e-6);
+  }
+  // The TCP follows the seam's clock: at weld speed but for the ramps, standing while it turns.
+  const auto tcp = [&](double t) -> Eigen::Vector3d {
+    return tcp_pose(*problem.robot, motion.evaluate(t)).translation();
+  };
+  const double h = 0.05;
+  for (const double t : {1.0, 7.0, 14.0, 22.5, 28.0})
+    EXPECT_NEAR((tcp(t + h) - tcp(t - h)).norm() / (2 * h), 0.01, 5e-4) << t;
+  for (int i = 0; i < 56; ++i) {
+    const double t = 15.25 + 0.1 * i;
+    EXPECT_LT((tcp(t) - Eigen::Vector3d(0.95, 0.05, 0.2)).norm(), 2e-4) << t;
+  }
+}
+
 TEST_F(CornerProblem, TwoStageRoundsOff) {
   const Problem problem = load(replaced(
       problem_text(), "corners: {stop: 0.5 s, turn_rate: 30 deg/s}", "corners: {blend: 8 mm}"));
