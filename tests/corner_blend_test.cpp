@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "seam_samples.hpp"
 namespace wristwise {
 namespace {
 
@@ -211,7 +212,7 @@ TEST(CornerBlend, FrameTurnsAboutOneAxis) {
   to.frame.linear() = Eigen::AngleAxisd(1.5, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix();
   const CornerBlend blend(from, to, 0.01);
   double last = 0;
-  for (double f = 0.05; f < 1; f += 0.05) {
+  for (const double f : test::steps(0.05, 1, 0.05)) {
     const Eigen::AngleAxisd turn(blend.frame_at(f).linear());
     EXPECT_NEAR(turn.axis().dot(Eigen::Vector3d(1, 2, 2) / 3), 1, 1e-12);
     EXPECT_GT(turn.angle(), last);

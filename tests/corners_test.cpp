@@ -154,7 +154,7 @@ TEST(CornerStop, TorchTurnsWhileItStands) {
   const double start = seam.real_time(10), end = seam.real_time(13);
   EXPECT_NEAR(end - start, 15.0 / 8.0 * 3, 1e-12);  // 90 deg at 30 deg/s at most
   double fastest = 0;
-  for (double t = start + 1e-3; t < end; t += 0.01) {
+  for (const double t : test::steps(start + 1e-3, end, 0.01)) {
     EXPECT_LT((seam.frame_at(t).translation() - Eigen::Vector3d(0.1, 0, 0)).norm(), 1e-15);
     const Eigen::AngleAxisd turn(seam.frame_at(t - 1e-4).linear().transpose() *
                                  seam.frame_at(t + 1e-4).linear());
@@ -225,7 +225,7 @@ TEST(CornerSlow, FallsToTheRatio) {
   // On each side (1 + 0.25) / 2 s of nominal time take 1 s.
   EXPECT_NEAR(task.seam.end_time(), 15 + 2 * 0.375, 1e-12);
   double slowest = 1;
-  for (double t = 0; t < task.seam.end_time(); t += 0.01)
+  for (const double t : test::steps(0, task.seam.end_time(), 0.01))
     slowest = std::min(slowest, task.seam.speed_ratio(t));
   EXPECT_NEAR(slowest, 0.25, 1e-3);
 }
@@ -251,11 +251,11 @@ TEST(CornerBlending, RoundsOffAtConstantSpeed) {
   EXPECT_NEAR(seam.pieces()[0].length(), 0.096, 1e-15);
   EXPECT_NEAR(seam.pieces()[2].length(), 0.046, 1e-15);
   EXPECT_LT((seam.pieces()[1].from.translation() - Eigen::Vector3d(0.096, 0, 0)).norm(), 1e-15);
-  for (double t = 0.01; t < seam.end_time(); t += 0.01)
+  for (const double t : test::steps(0.01, seam.end_time(), 0.01))
     EXPECT_NEAR(speed_at(seam, t), 0.01, 1e-8) << t;
   // Nowhere farther from the corner than the curve's apex, and within the triangle of its ends.
   double nearest = 1;
-  for (double t = 0; t < seam.end_time(); t += 0.001)
+  for (const double t : test::steps(0, seam.end_time(), 0.001))
     nearest =
         std::min(nearest, (seam.frame_at(t).translation() - Eigen::Vector3d(0.1, 0, 0)).norm());
   EXPECT_NEAR(nearest, 0.004 * std::sqrt(2.0) * (1 + 2.5) / 32, 1e-6);
@@ -270,7 +270,7 @@ TEST(CornerBlending, MayUseUpASegment) {
   const Task task = build(description);
   expect_sound(task);
   EXPECT_EQ(task.seam.pieces().size(), 4U);  // line, blend, blend, line
-  for (double t = 0.01; t < task.seam.end_time(); t += 0.01)
+  for (const double t : test::steps(0.01, task.seam.end_time(), 0.01))
     EXPECT_NEAR(speed_at(task.seam, t), 0.01, 1e-7) << t;
   description.corners.distance = 0.0041;
   const std::string message = invalid_input([&] { build(description); });
@@ -303,7 +303,7 @@ TEST(CornerBlending, BetweenArcsAndLines) {
   description.segments[1] = line(turned, far, "back");
   const Task task = build(description);
   expect_sound(task);
-  for (double t = 0.01; t < task.seam.end_time(); t += 0.01)
+  for (const double t : test::steps(0.01, task.seam.end_time(), 0.01))
     EXPECT_NEAR(speed_at(task.seam, t), 0.01, 1e-7) << t;
   const Eigen::Vector3d start = task.seam.pieces()[1].from.translation();
   EXPECT_NEAR(start.norm(), 0.05, 1e-12);

@@ -138,7 +138,7 @@ TEST(SeamColumns, ComeBackFromTheFile) {
     const TrajectoryFile file = read_trajectory(path, kJoints);
     EXPECT_EQ(file.trajectory.has_value(), path == curve);
     ASSERT_TRUE(file.seam_time);
-    for (double t = motion.times().front(); t < motion.times().back(); t += 0.01)
+    for (const double t : test::steps(motion.times().front(), motion.times().back(), 0.01))
       EXPECT_NEAR(file.seam_time->evaluate(t)[0], task.seam.nominal_time(t), 1e-12) << t;
   }
 }

@@ -67,7 +67,7 @@ TEST(RunIn, RisesToWeldSpeedAlongTheTangent) {
   EXPECT_NEAR(seam.start_time(), -2, 1e-15);
   EXPECT_EQ(seam.end_time(), 10);
   EXPECT_LT((seam.frame_at(-2).translation() - Eigen::Vector3d(-0.01, 0, 0)).norm(), 1e-15);
-  for (double t = -1.95; t < 0; t += 0.05) {
+  for (const double t : test::steps(-1.95, 0, 0.05)) {
     const double w = 0.5 * (t + 2), v = 0.01 * w * w * (3 - 2 * w);
     EXPECT_LT((velocity(seam, t) - Eigen::Vector3d(v, 0, 0)).norm(), 1e-9) << t;
     EXPECT_TRUE(seam.frame_at(t).linear().isIdentity(1e-15));
@@ -164,7 +164,7 @@ TEST(RunIn, StraightOneOfAnArcIsStraight) {
   description.run_in = along(0.01);
   description.run_out = along(0.01);
   const Seam seam = build(description).seam;
-  for (double f = 0; f < 1; f += 0.1) {
+  for (const double f : test::steps(0, 1, 0.1)) {
     EXPECT_NEAR(seam.pieces()[0].frame_at(f).translation().x(), 0.1, 1e-15);
     EXPECT_NEAR(seam.pieces()[2].frame_at(f).translation().y(), 0.1, 1e-15);
   }

@@ -37,6 +37,13 @@ inline Pose at(double x, double y, double z) {
   return pose;
 }
 
+/// first, first + step, ... below last.
+inline std::vector<double> steps(double first, double last, double step) {
+  std::vector<double> values;
+  for (int i = 0; first + i * step < last; ++i) values.push_back(first + i * step);
+  return values;
+}
+
 /// Turned by `angle` (rad) about z.
 inline Pose turned_at(double x, double y, double angle) {
   return at(x, y, 0) * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ());

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "invalid_input.hpp"
+#include "seam_samples.hpp"
 #include "wristwise/seam.hpp"
 
 namespace wristwise {
@@ -110,7 +111,7 @@ TEST(SeamTime, CornerBelongsToThePieceThatEndsThere) {
 
 TEST(SeamTime, SpeedRatioIsTheRateOfTheNominalTime) {
   const Seam seam = corner_seam().retimed(stop_law());
-  for (double t = 0.05; t < 6; t += 0.1) {
+  for (const double t : test::steps(0.05, 6, 0.1)) {
     const double numeric = (seam.nominal_time(t + 1e-5) - seam.nominal_time(t - 1e-5)) / 2e-5;
     EXPECT_NEAR(seam.speed_ratio(t), numeric, 1e-8) << t;
   }
@@ -120,7 +121,7 @@ TEST(SeamTime, SpeedRatioIsTheRateOfTheNominalTime) {
 
 TEST(SeamTime, RealTimeIsTheInverse) {
   const Seam seam = corner_seam().retimed(stop_law());
-  for (double nominal = 0; nominal <= 5; nominal += 1.0 / 128) {
+  for (const double nominal : test::steps(0, 5, 1.0 / 128)) {
     EXPECT_NEAR(seam.nominal_time(seam.real_time(nominal)), nominal, 1e-14);
   }
   // Where the rate is zero the time is not well determined, the nominal time is.
@@ -151,7 +152,8 @@ TEST(SeamTime, RetimingAgainReplacesTheLaw) {
   const Seam once = corner_seam().retimed(slow);
   const Seam twice = corner_seam().retimed(stop_law()).retimed(slow);
   EXPECT_EQ(twice.end_time(), 10);
-  for (double t = 0; t <= 10; t += 0.25) EXPECT_EQ(twice.nominal_time(t), once.nominal_time(t));
+  for (const double t : test::steps(0, 10, 0.25))
+    EXPECT_EQ(twice.nominal_time(t), once.nominal_time(t));
 }
 
 /// Random increasing laws: twice continuously differentiable, exact at the waypoints.

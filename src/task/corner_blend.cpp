@@ -1,8 +1,14 @@
 #include "task/corner_blend.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace wristwise {
 
 namespace {
+
+constexpr double kSafety = 1 + 1e-9;  // of an interval, for round-off
+constexpr double kLeastWidth = 1e-9;  // likewise
 
 using Controls = std::array<Eigen::Vector3d, 6>;
 
@@ -26,6 +32,17 @@ Eigen::Vector3d bezier(std::array<Eigen::Vector3d, Count> points, double u) {
   for (std::size_t left = Count - 1; left > 0; --left)
     for (std::size_t i = 0; i < left; ++i) points[i] += u * (points[i + 1] - points[i]);
   return points[0];
+}
+
+/// Column k: the coefficient of u^k, the k-th difference times 5 over k.
+Eigen::Matrix<double, 3, 6> power_form(Controls points) {
+  constexpr std::array<double, 6> kBinomial = {1, 5, 10, 10, 5, 1};
+  Eigen::Matrix<double, 3, 6> c;
+  for (std::size_t k = 0; k < 6; ++k) {
+    c.col(static_cast<Eigen::Index>(k)) = kBinomial[k] * points[0];
+    for (std::size_t i = 0; i + k + 1 < 6; ++i) points[i] = points[i + 1] - points[i];
+  }
+  return c;
 }
 
 double bezier_speed(const Controls& control, double u) {
@@ -61,17 +78,53 @@ CornerBlend::CornerBlend(const PathPoint& from, const PathPoint& to, double dist
 Pose CornerBlend::frame_at(double fraction) const {
   Pose frame = Pose::Identity();
   frame.translation() = bezier(control_, arc_length_.parameter_at(fraction * length()));
-  frame.linear() = orientation(fraction);
+  frame.linear() = orientation_at(fraction);
   return frame;
 }
 
 // (F25) Three turns about fixed axes: the rate of the first falls to zero, that of the last rises
 // from it.
-Eigen::Matrix3d CornerBlend::orientation(double fraction) const {
+Eigen::Matrix3d CornerBlend::orientation_at(double fraction) const {
   const Eigen::Matrix3d before = turned((fraction - risen(fraction)) * before_, start_);
   const Eigen::AngleAxisd gap(smooth_step(fraction) * gap_.angle(), gap_.axis());
   return before * gap.toRotationMatrix() *
          turned(risen(fraction) * after_, Eigen::Matrix3d::Identity());
+}
+
+// The parameter u goes on by u' = l' / |B'(u)| with the length l. Over an interval that u does not
+// leave, v runs from -1 to 1.
+VectorTaylor CornerBlend::position(const Taylor& fraction) const {
+  const Taylor reached = length() * fraction;
+  const double middle = arc_length_.parameter_at(reached.c[0]);
+  const double width =
+      kSafety * std::max({arc_length_.parameter_at(reached.upper()) - middle,
+                          middle - arc_length_.parameter_at(reached.lower()), kLeastWidth});
+  const Eigen::Matrix<double, 3, 6> c = shifted(power_form(control_), middle);
+  const Taylor v{{0, 1, 0, 0}, 0};
+  Taylor square = Taylor::constant(0);
+  for (int i = 0; i < 3; ++i) {
+    const Taylor slope =
+        polynomial({c(i, 1), 2 * c(i, 2), 3 * c(i, 3), 4 * c(i, 4), 5 * c(i, 5), 0}, width * v);
+    square = square + slope * slope;
+  }
+  const Taylor step = driven(reached, (1 / width) * reciprocal(square_root(square)));
+  if (!std::isfinite(step.rest)) return anywhere();  // |B'| may be zero, as far as can be told
+  return vector_polynomial(c, width * step);
+}
+
+EnclosedOrientation CornerBlend::orientation(const Taylor& fraction) const {
+  const auto turn = [](const Eigen::Vector3d& by, const Taylor& share) -> EnclosedTurn {
+    const double angle = by.norm();
+    if (angle == 0) return {Eigen::Vector3d::UnitZ(), Taylor::constant(0)};
+    return {by / angle, angle * share};
+  };
+  const Taylor square = fraction * fraction;
+  const Taylor part =
+      square * square * (Taylor::constant(2.5) + fraction * (fraction - Taylor::constant(3)));
+  const Taylor step = polynomial({0, 0, 0, 10, -15, 6}, fraction);
+  return {turn(before_, fraction - part),
+          start_,
+          {{gap_.axis(), gap_.angle() * step}, turn(after_, part)}};
 }
 
 }  // namespace wristwise

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "task/arc_length.hpp"
+#include "task/enclosed_curve.hpp"
 #include "task/path_point.hpp"
 
 namespace wristwise {
@@ -10,7 +11,7 @@ namespace wristwise {
 /// A corner rounded off (F23): a quintic Bezier curve that takes over position, tangent and
 /// curvature at both ends, run at constant speed. The frame takes over the rate of turn at both
 /// ends; where that is zero it turns about one axis (F25).
-class CornerBlend final : public SeamCurve {
+class CornerBlend final : public EnclosedCurve {
  public:
   /// @param from, to where the piece before is left and the piece after is joined
   /// @param distance m, of either from the corner
@@ -18,9 +19,11 @@ class CornerBlend final : public SeamCurve {
 
   double length() const override { return arc_length_.total(); }
   Pose frame_at(double fraction) const override;
+  VectorTaylor position(const Taylor& fraction) const override;
+  EnclosedOrientation orientation(const Taylor& fraction) const override;
 
  private:
-  Eigen::Matrix3d orientation(double fraction) const;
+  Eigen::Matrix3d orientation_at(double fraction) const;
 
   Eigen::Matrix3d start_;
   std::array<Eigen::Vector3d, 6> control_;

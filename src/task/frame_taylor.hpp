@@ -1,12 +1,15 @@
 #pragma once
 
+#include <vector>
+
+#include "task/enclosed_curve.hpp"
 #include "task/taylor.hpp"
 #include "wristwise/seam.hpp"
 
 namespace wristwise {
 
-/// The path frame over an interval of time that lies on one piece of the seam, enclosed (F29).
-/// Every piece turns about one fixed axis while it runs along a line or about a fixed center.
+/// The path frame over an interval of time that lies on one piece of the seam and between two knots
+/// of its time law, enclosed (F29).
 class FrameTaylor {
  public:
   FrameTaylor(const Seam& seam, double t0, double t1);
@@ -19,11 +22,13 @@ class FrameTaylor {
  private:
   const SeamPiece& piece_;
   Taylor fraction_;
-  Eigen::AngleAxisd turn_;  ///< of the whole piece, base frame
-  TaylorTurn back_;
+  EnclosedOrientation orientation_;
+  TaylorTurn back_;                     ///< against orientation_.before
+  std::vector<TaylorTurn> back_after_;  ///< against orientation_.after
 };
 
-/// Times strictly inside (t0, t1) where the seam goes from one piece to the next, and its own ends.
+/// Times strictly inside (t0, t1) where the seam goes from one piece to the next, its own ends, and
+/// the knots of its time law.
 std::vector<double> seam_breaks(const Seam& seam, double t0, double t1);
 
 }  // namespace wristwise

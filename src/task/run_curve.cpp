@@ -1,5 +1,7 @@
 #include "task/run_curve.hpp"
 
+#include <array>
+
 #include "task/arc_length.hpp"
 
 namespace wristwise {
@@ -18,7 +20,7 @@ JointVector joined(const Eigen::Vector3d& position, double angle) {
 // rate.
 RunCurve::RunCurve(Way way, const PathPoint& end, double speed, const Eigen::Vector3d& rest,
                    double duration)
-    : orientation_(end.frame.linear()) {
+    : at_seam_(end.frame.linear()) {
   const double rate = speed * end.turning.norm() * duration;  // all derivatives by the fraction
   axis_ = rate > 0 ? end.turning.normalized() : Eigen::Vector3d::UnitZ();
   const double step = speed * duration;
@@ -42,8 +44,23 @@ Pose RunCurve::frame_at(double fraction) const {
   const JointVector at = motion_.evaluate(fraction);
   Pose frame = Pose::Identity();
   frame.translation() = at.head<3>();
-  frame.linear() = Eigen::AngleAxisd(at[3], axis_).toRotationMatrix() * orientation_;
+  frame.linear() = Eigen::AngleAxisd(at[3], axis_).toRotationMatrix() * at_seam_;
   return frame;
+}
+
+// polynomials(0) runs over [-1, 1].
+VectorTaylor RunCurve::position(const Taylor& fraction) const {
+  const Eigen::Matrix<double, 3, 6> c = motion_.polynomials(0).topRows<3>();
+  const double middle = 2 * fraction.c[0] - 1;
+  return vector_polynomial(shifted(c, middle), 2.0 * (fraction - Taylor::constant(fraction.c[0])));
+}
+
+EnclosedOrientation RunCurve::orientation(const Taylor& fraction) const {
+  const Trajectory::Polynomials all = motion_.polynomials(0);
+  std::array<double, 6> c{};
+  for (std::size_t k = 0; k < c.size(); ++k) c[k] = all(3, static_cast<Eigen::Index>(k));
+  const Taylor angle = polynomial(c, 2.0 * fraction - Taylor::constant(1));
+  return {{axis_, angle}, at_seam_, {}};
 }
 
 }  // namespace wristwise

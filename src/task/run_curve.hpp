@@ -1,5 +1,6 @@
 #pragma once
 
+#include "task/enclosed_curve.hpp"
 #include "task/path_point.hpp"
 #include "wristwise/trajectory.hpp"
 
@@ -7,7 +8,7 @@ namespace wristwise {
 
 /// A run-in or a run-out (F24): between rest and the speed at which the seam is passed. A quintic
 /// over time in position and in the angle by which the frame is turned.
-class RunCurve final : public SeamCurve {
+class RunCurve final : public EnclosedCurve {
  public:
   enum class Way { in, out };
 
@@ -20,11 +21,13 @@ class RunCurve final : public SeamCurve {
 
   double length() const override { return length_; }
   Pose frame_at(double fraction) const override;
+  VectorTaylor position(const Taylor& fraction) const override;
+  EnclosedOrientation orientation(const Taylor& fraction) const override;
 
  private:
-  Eigen::Matrix3d orientation_;  ///< at the end of the seam
-  Eigen::Vector3d axis_;         ///< unit, base frame
-  Trajectory motion_;            ///< x, y, z (m), angle (rad) over the fraction
+  Eigen::Matrix3d at_seam_;  ///< orientation at the end of the seam
+  Eigen::Vector3d axis_;     ///< unit, base frame
+  Trajectory motion_;        ///< x, y, z (m), angle (rad) over the fraction
   double length_ = 0;
 };
 

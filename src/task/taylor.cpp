@@ -109,6 +109,55 @@ Taylor square_root(const Taylor& f) {
   return root;
 }
 
+// (F29) With r = 1 / f, f_0 r_k = -sum_{i=1..k} f_i r_{k-i}, at each s.
+Taylor reciprocal(const Taylor& f) {
+  Taylor result;
+  const double least = f.lower();
+  if (!(least > 0)) {
+    result.rest = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  const Sizes size_f = sizes(f);
+  Sizes size{};
+  result.c[0] = 1 / f.c[0];
+  size[0] = 1 / least;
+  for (int k = 1; k <= kTerms; ++k) {
+    for (int i = 1; i <= k; ++i) {
+      size[at(k)] += size_f[at(i)] * size[at(k - i)] / least;
+      if (k < kTerms) result.c[at(k)] -= f.c[at(i)] * result.c[at(k - i)] / f.c[0];
+    }
+  }
+  result.rest = size[kTerms];
+  return result;
+}
+
+Taylor polynomial(const std::array<double, 6>& c, const Taylor& f) {
+  Taylor sum = Taylor::constant(c[5]);
+  for (std::size_t k = 5; k-- > 0;) sum = sum * f + Taylor::constant(c[k]);
+  return sum;
+}
+
+// (F29) With w = g(v), k v_k = sum_{m=1..k} m f_m w_{k-m}, and w_k from g_1 .. g_k, v_1 .. v_k.
+Taylor driven(const Taylor& f, const Taylor& g) {
+  const auto coefficients = [](const Sizes& of_f, const Sizes& of_g) {
+    Sizes v{}, w{};
+    w[0] = of_g[0];
+    for (int k = 1; k <= kTerms; ++k) {
+      for (int m = 1; m <= k; ++m)
+        v[at(k)] += static_cast<double>(m) / k * of_f[at(m)] * w[at(k - m)];
+      if (k == 1) w[1] = of_g[1] * v[1];
+      if (k == 2) w[2] = of_g[1] * v[2] + of_g[2] * v[1] * v[1];
+      if (k == 3) w[3] = of_g[1] * v[3] + 2 * of_g[2] * v[1] * v[2] + of_g[3] * v[1] * v[1] * v[1];
+    }
+    return v;
+  };
+  const auto in_the_middle = [](const Taylor& of) {
+    return Sizes{of.c[0], of.c[1], of.c[2], of.c[3], 0};
+  };
+  const Sizes v = coefficients(in_the_middle(f), in_the_middle(g));
+  return {{0, v[1], v[2], v[3]}, coefficients(sizes(f), sizes(g))[kTerms]};
+}
+
 VectorTaylor VectorTaylor::constant(const Eigen::Vector3d& value) {
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
   return {{value, zero, zero, zero}, 0};

@@ -27,6 +27,13 @@ Taylor operator*(const Taylor& f, const Taylor& g);
 /// Of a function that is positive; infinite rest where that is not certain.
 Taylor square_root(const Taylor& f);
 
+/// 1 / f of a function that is positive; infinite rest where that is not certain.
+Taylor reciprocal(const Taylor& f);
+/// sum of c_k f^k, k = 0 .. 5.
+Taylor polynomial(const std::array<double, 6>& c, const Taylor& f);
+/// v(s) with v(0) = 0 and v'(s) = f'(s) g(v(s)), where v stays in [-1, 1].
+Taylor driven(const Taylor& f, const Taylor& g);
+
 /// The same for a vector; |f''''(s)| / 4! <= rest in the Euclidean norm.
 struct VectorTaylor {
   std::array<Eigen::Vector3d, Taylor::kTerms> c;

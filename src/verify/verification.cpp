@@ -127,10 +127,17 @@ class Verifier {
         [](const Waypoint& waypoint, double time) { return waypoint.time <= time; });
     double t0 = piece.start();
     for (; next->time < piece.end() - kTimeTolerance && next + 1 != given.end(); ++next) {
-      check_stretch(piece, t0, next->time, next->tolerance);
+      check_stretch(piece, t0, next->time, box_before(next));
       t0 = next->time;
     }
-    check_stretch(piece, t0, piece.end(), next->tolerance);
+    check_stretch(piece, t0, piece.end(), box_before(next));
+  }
+
+  /// That holds on the stretch that ends at a given waypoint.
+  ToleranceBox box_before(std::vector<Waypoint>::const_iterator waypoint) const {
+    const auto i = waypoint - given_.waypoints.begin();
+    if (i == 0) return waypoint->tolerance;
+    return given_.tolerance_between(static_cast<std::size_t>(i - 1)).value_or(waypoint->tolerance);
   }
 
   void check_stretch(const MotionPiece& piece, double t0, double t1, const ToleranceBox& box) {

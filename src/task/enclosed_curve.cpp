@@ -1,0 +1,27 @@
+#include "task/enclosed_curve.hpp"
+
+namespace wristwise {
+
+VectorTaylor anywhere() {
+  VectorTaylor unknown = VectorTaylor::constant(Eigen::Vector3d::Zero());
+  unknown.rest = 1e9;
+  return unknown;
+}
+
+VectorTaylor vector_polynomial(const Eigen::Matrix<double, 3, 6>& c, const Taylor& f) {
+  VectorTaylor sum = VectorTaylor::constant(Eigen::Vector3d::Zero());
+  for (int i = 0; i < 3; ++i) {
+    const Taylor value = polynomial({c(i, 0), c(i, 1), c(i, 2), c(i, 3), c(i, 4), c(i, 5)}, f);
+    sum = sum + along(Eigen::Vector3d::Unit(i), value);
+  }
+  return sum;
+}
+
+// By repeated synthetic division.
+Eigen::Matrix<double, 3, 6> shifted(Eigen::Matrix<double, 3, 6> c, double x) {
+  for (int from = 0; from < 5; ++from)
+    for (int k = 4; k >= from; --k) c.col(k) += x * c.col(k + 1);
+  return c;
+}
+
+}  // namespace wristwise
