@@ -1,18 +1,25 @@
 #include "wristwise/plan.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "cancelled.hpp"
 #include "graph/graph_planner.hpp"
 #include "parallel.hpp"
-#include "refine/refinement.hpp"
+#include "refine/seed_refinement.hpp"
 #include "stopwatch.hpp"
+#include "verify/pace_check.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
 
 namespace {
+
+constexpr const char* kStoppedEarly =
+    "stage 2 was stopped before its end; this is its best trajectory until then";
+
+constexpr std::size_t kMovesOfACheapSearch = 5000;  ///< checked; more paths cost as much each
 
 VerificationOptions verification_options(const Problem& problem, const PlanOptions& options) {
   VerificationOptions verification = options.verification;
@@ -32,9 +39,10 @@ class Pipeline {
   PlanResult plan() {
     return run([this] {
       prepare();
-      if (!find_seed(problem_.task)) return;
-      if (result_.mode == Mode::two_stage) refine_seed(problem_.task);
+      if (!find_seeds(problem_.task, problem_.graph)) return;
+      if (result_.mode == Mode::two_stage) refine_best_seed(problem_.task);
       verify_result(problem_.task);
+      if (result_.mode == Mode::two_stage) keep_seed_if_better(problem_.task);
     });
   }
 
@@ -44,7 +52,7 @@ class Pipeline {
       prepare();
       const Task task = problem_.task.with_waypoints_at(path.times);
       result_.path = path;
-      refine_seed(task);
+      refine_path(task);
       verify_result(task);
     });
   }
@@ -72,9 +80,9 @@ class Pipeline {
   }
 
   /// Stage 1. Without a path to the end, the best partial one and a diagnosis.
-  bool find_seed(const Task& task) {
+  bool find_seeds(const Task& task, const GraphOptions& graph) {
     const auto ik = inverse_kinematics();
-    const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, problem_.graph};
+    const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, graph};
     GraphPlan plan = plan_graph(input, task, verification_.clearance_epsilon, threads_,
                                 options_.monitor, result_.timing);
     result_.graph = std::move(plan.statistics);
@@ -97,27 +105,62 @@ class Pipeline {
     return found.solver;
   }
 
-  /// Stage 2.
-  void refine_seed(const Task& task) {
+  /// Stage 2; where none of the seeds can be refined it tries more of them.
+  void refine_best_seed(const Task& task) {
+    Refined best = refined(task, result_.seeds);
+    const bool cheap = result_.graph.edges_checked <= kMovesOfACheapSearch;
+    if (!best.feasible && !best.stopped && problem_.graph.spare_seeds > 0 && cheap)
+      try_spare_seeds(task, best);
+    keep(std::move(best));
+  }
+
+  Refined refined(const Task& task, std::vector<Seed>& seeds) {
     const Stopwatch watch(result_.timing.refine);
-    const RefinementInput input{*problem_.robot, task, clearance_, problem_.cost, problem_.refine,
-                                options_.monitor};
-    Refined refined = refine(input, result_.path);
+    return refine_seeds(refinement_input(task), seeds, threads_);
+  }
+
+  void try_spare_seeds(const Task& task, Refined& best) {
+    std::vector<Seed> tried = std::move(result_.seeds);
+    GraphOptions graph = problem_.graph;
+    graph.seeds += graph.spare_seeds;
+    find_seeds(task, graph);
+    const std::size_t known = std::min(tried.size(), result_.seeds.size());
+    std::vector<Seed> spare(result_.seeds.begin() + static_cast<std::ptrdiff_t>(known),
+                            result_.seeds.end());
+    if (!spare.empty()) {
+      Refined other = refined(task, spare);
+      if (is_better(other, best)) best = std::move(other);
+    }
+    tried.insert(tried.end(), spare.begin(), spare.end());
+    result_.seeds = std::move(tried);
+  }
+
+  void refine_path(const Task& task) {
+    const Stopwatch watch(result_.timing.refine);
+    keep(refine(refinement_input(task), result_.path));
+  }
+
+  RefinementInput refinement_input(const Task& task) const {
+    return {*problem_.robot, task, clearance_, problem_.cost, problem_.refine, options_.monitor};
+  }
+
+  void keep(Refined refined) {
     result_.trajectory = std::move(refined.trajectory);
     result_.path = result_.trajectory.waypoints();
     result_.refine = std::move(refined.statistics);
-    if (!refined.feasible) {
-      result_.diagnosis.push_back(
-          {std::nullopt, "refinement",
-           "stage 2 ended without meeting every constraint: " + result_.refine.termination,
-           "look at the verification for what is not met; widen that tolerance, weld slower, or "
-           "start from another path"});
+    if (refined.feasible) {
+      if (refined.stopped) result_.warnings.push_back(kStoppedEarly);
+      return;
     }
+    result_.diagnosis.push_back(
+        {std::nullopt, "refinement",
+         "stage 2 ended without meeting every constraint: " + result_.refine.termination,
+         "look at the verification for what is not met; widen that tolerance, weld slower, or "
+         "start from another path"});
   }
 
   void verify_result(const Task& task) {
     const Stopwatch watch(result_.timing.verify);
-    throw_if_cancelled(options_.monitor);
     options_.monitor.report("verify", 0);
     result_.verification = result_.trajectory.empty()
                                ? verify(task, clearance_, result_.path, verification_)
@@ -128,6 +171,23 @@ class Pipeline {
     for (const std::string& line : result_.verification.failures) {
       result_.diagnosis.push_back({std::nullopt, "verification", line, ""});
     }
+    throw_if_cancelled(options_.monitor);
+  }
+
+  /// Where the trajectory of stage 2 does not pass and the path of stage 1 does, as points, the
+  /// path is what is returned. It is not what was asked for: the result stays failed.
+  void keep_seed_if_better(const Task& task) {
+    if (result_.verification.passed) return;
+    const JointPath& seed = result_.seeds.front().path;
+    const Verification of_seed = verify(task, clearance_, seed, verification_);
+    if (!of_seed.passed) return;
+    result_.path = seed;
+    result_.trajectory = {};
+    result_.verification = of_seed;
+    result_.diagnosis.push_back({std::nullopt, "seed",
+                                 "the path of stage 1 is returned: it passes the check as a list "
+                                 "of points, the trajectory of stage 2 does not pass",
+                                 "use it with --mode graph-only if that is enough"});
   }
 
   /// What stage 2 thought of its own end does not count against a check that passed.
@@ -146,6 +206,13 @@ class Pipeline {
   PlanResult result_;
 };
 
+template <class Motion>
+Verification check_along(const Problem& problem, const Task& task, const Motion& motion,
+                         const PlanOptions& options) {
+  return verify(task, std::make_shared<const ClearanceModel>(problem.robot, problem.scene), motion,
+                verification_options(problem, options));
+}
+
 }  // namespace
 
 PlanResult plan(const Problem& problem, const PlanOptions& options) {
@@ -161,14 +228,31 @@ PlanResult smooth(const Problem& problem, const JointPath& path, const PlanOptio
 }
 
 Verification check(const Problem& problem, const JointPath& path, const PlanOptions& options) {
-  return verify(problem.task, std::make_shared<const ClearanceModel>(problem.robot, problem.scene),
-                path, verification_options(problem, options));
+  return check_along(problem, problem.task, path, options);
 }
 
 Verification check(const Problem& problem, const Trajectory& trajectory,
                    const PlanOptions& options) {
-  return verify(problem.task, std::make_shared<const ClearanceModel>(problem.robot, problem.scene),
-                trajectory, verification_options(problem, options));
+  return check_along(problem, problem.task, trajectory, options);
+}
+
+Verification check(const Problem& problem, const TrajectoryFile& file, const PlanOptions& options) {
+  Task task = problem.task;
+  if (file.seam_time) {
+    Verification unusable;
+    unusable.failures = law_failures(problem.task, *file.seam_time);
+    unusable.run = true;
+    if (!unusable.failures.empty()) return unusable;
+    task = problem.task.retimed(*file.seam_time);
+  }
+  Verification result = file.trajectory ? check_along(problem, task, *file.trajectory, options)
+                                        : check_along(problem, task, file.path, options);
+  if (file.seam_time) {
+    for (const std::string& line : pace_failures(problem.task, task))
+      result.failures.push_back(line);
+  }
+  result.passed = result.failures.empty();
+  return result;
 }
 
 }  // namespace wristwise

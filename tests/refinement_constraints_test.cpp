@@ -5,6 +5,7 @@
 
 #include "gantry.hpp"
 #include "refine/dip_search.hpp"
+#include "refine/breakpoints.hpp"
 #include "refine/limit_constraint.hpp"
 #include "refine/point_constraint.hpp"
 

@@ -28,6 +28,10 @@ struct CostOptions {
   double singularity_graph = 0;  ///< rad of joint motion at each vertex that is singular; less
                                  ///< where it is farther from that: w (1 - measure)
   SingularityMeasure singularity_measure = SingularityMeasure::wrist;
+  double singularity_refine = 0;  ///< stage 2: weight of cos^8(wrist) / tau^2 (F32)
+  /// Stage 2: weight of |q - preferred|^2 / tau^2; unused where preferred_posture is empty.
+  double posture = 1;
+  std::vector<double> preferred_posture;  ///< rad or m, one per joint; empty: none
   /// The caller's own cost of a posture (at a waypoint) and of a move (in the interval after a
   /// waypoint) in stage 1, rad of joint motion, >= 0, added to the rest. Infinity: not allowed.
   /// Called from several threads.
@@ -66,7 +70,8 @@ struct GraphOptions {
   /// rad or m; sparse: how far an interpolated posture may be from the nearest one in tolerance.
   double sparse_deviation = 0.05;
   bool try_relaxations = true;  ///< where there is no path, look for the smallest that would help
-  int seeds = 1;                ///< distinct paths to look for, the best first
+  int seeds = 1;                ///< distinct paths to look for, the best first; each is refined
+  int spare_seeds = 3;          ///< so many more are tried where none of those can be refined
   /// rad or m; usable postures of a waypoint that differ by less in every joint are neighbours.
   /// Paths are distinct where at some waypoint no chain of neighbours joins them: other branches of
   /// the robot, other sides of an obstacle. Whole turns are not counted.
@@ -90,6 +95,9 @@ struct RefineOptions {
   int max_iterations = 40;      ///< of the inner solver in a round
   double constraint_tolerance = 5e-7;  ///< m and rad, of the constraints at the points they hold at
   double clearance_epsilon = 5e-5;     ///< m kept in hand, so that the clearance holds for all t
+  /// s; after it the best motion so far that holds everything is taken. Infinity: none. With a
+  /// limit the result depends on the machine.
+  double time_limit = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace wristwise

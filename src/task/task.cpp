@@ -35,11 +35,18 @@ std::vector<Waypoint>::const_iterator waypoint_from(const std::vector<Waypoint>&
   return found == waypoints.end() ? std::prev(found) : found;
 }
 
+/// The waypoint whose box holds between these two.
+const Waypoint& governing(const Waypoint& from, const Waypoint& to) {
+  return from.welding ? to : from;
+}
+
 Waypoint waypoint_at(const Task& task, double t) {
   const auto next = waypoint_from(task.waypoints, t);
-  Waypoint waypoint = *next;
+  const bool is_given = std::abs(next->time - t) <= kTimeTolerance;
+  Waypoint waypoint =
+      is_given || next == task.waypoints.begin() ? *next : governing(*std::prev(next), *next);
   waypoint.time = t;
-  if (std::abs(next->time - t) <= kTimeTolerance) return waypoint;
+  if (is_given) return waypoint;
   if (task.seam.piece_at(t).kind == SeamPiece::Kind::move)
     throw InvalidInput("time " + std::to_string(t) + " s",
                        "lies on a move to or from a joint waypoint, where no path is prescribed",
@@ -49,6 +56,8 @@ Waypoint waypoint_at(const Task& task, double t) {
   return waypoint;
 }
 
+bool is_welding(const Waypoint& waypoint) { return waypoint.welding; }
+
 std::size_t count_joint_waypoints(const Task& task) {
   return static_cast<std::size_t>(
       std::count_if(task.waypoints.begin(), task.waypoints.end(),
@@ -56,6 +65,29 @@ std::size_t count_joint_waypoints(const Task& task) {
 }
 
 }  // namespace
+
+double Task::weld_start() const {
+  const auto first = std::find_if(waypoints.begin(), waypoints.end(), is_welding);
+  return first == waypoints.end() ? seam.start_time() : first->time;
+}
+
+double Task::weld_end() const {
+  const auto last = std::find_if(waypoints.rbegin(), waypoints.rend(), is_welding);
+  return last == waypoints.rend() ? seam.end_time() : last->time;
+}
+
+Task Task::retimed(const Trajectory& seam_time) const {
+  Task task = *this;
+  task.seam = seam.retimed(seam_time);
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    double& time = task.waypoints[i].time;
+    time = task.seam.real_time(seam.nominal_time(time));
+    if (i > 0 && time <= task.waypoints[i - 1].time)
+      throw InvalidInput("seam time", "waypoints " + std::to_string(i - 1) + " and " +
+                                          std::to_string(i) + " would be passed at once");
+  }
+  return task;
+}
 
 Task Task::with_waypoints_at(const std::vector<double>& times) const {
   if (waypoints.empty()) throw InvalidInput("task", "no waypoints", "at least two");
@@ -74,7 +106,7 @@ std::optional<ToleranceBox> Task::tolerance_between(std::size_t interval) const 
     throw InvalidInput("interval " + std::to_string(interval), "beyond the last waypoint");
   const double middle = 0.5 * (waypoints[interval].time + waypoints[interval + 1].time);
   if (seam.piece_at(middle).kind == SeamPiece::Kind::move) return std::nullopt;
-  return waypoints[interval + 1].tolerance;
+  return governing(waypoints[interval], waypoints[interval + 1]).tolerance;
 }
 
 void validate_joint_waypoints(const Task& task, const Robot& robot) {

@@ -8,6 +8,9 @@
 #include "task/deviation_search.hpp"
 #include "verify/checked_motion.hpp"
 #include "verify/failure_text.hpp"
+#include "verify/pace_check.hpp"
+#include "verify/row_waypoints.hpp"
+#include "wristwise/swept_clearance.hpp"
 
 namespace wristwise {
 
@@ -23,7 +26,8 @@ class Verifier {
   Verifier(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
            const CheckedMotion& motion, const VerificationOptions& options)
       : given_(task),
-        task_(task.with_waypoints_at(motion.times())),
+        rows_(row_waypoints(task, motion.times())),
+        task_(rows_.task),
         checker_(clearance),
         robot_(clearance->robot()),
         motion_(motion),
@@ -37,7 +41,8 @@ class Verifier {
 
   Verification run() {
     check_coverage();
-    for (std::size_t i = 0; i < task_.waypoints.size(); ++i) check_waypoint(i);
+    for (std::size_t i = 0; i < task_.waypoints.size(); ++i)
+      if (!rows_.is_knot[i]) check_waypoint(i);
     for (std::size_t i = 0; i + 1 < task_.waypoints.size(); ++i) check_between(i);
     result_.deviation_shown = result_.deviation_not_shown.empty();
     check_given_waypoints();
@@ -320,7 +325,8 @@ class Verifier {
   }
 
   const Task& given_;
-  const Task task_;  ///< with the motion's own times as waypoints
+  const RowWaypoints rows_;
+  const Task& task_;  ///< with the motion's own times as waypoints
   ClearanceChecker checker_;
   const Robot& robot_;
   const CheckedMotion& motion_;
@@ -346,7 +352,11 @@ Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel
                     const Trajectory& trajectory, const VerificationOptions& options) {
   validate(trajectory.waypoints(), clearance->robot().joint_count(), "trajectory");
   validate_joint_waypoints(task, clearance->robot());
-  return Verifier(task, clearance, CurveMotion(trajectory), options).run();
+  Verification result = Verifier(task, clearance, CurveMotion(trajectory), options).run();
+  for (const std::string& line : rest_failures(task, clearance->robot(), trajectory))
+    result.failures.push_back(line);
+  result.passed = result.failures.empty();
+  return result;
 }
 
 }  // namespace wristwise

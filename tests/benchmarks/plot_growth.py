@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Draws docs/pictures/growth.svg from graph_benchmark's output.
+"""Draws docs/pictures/growth.svg and refinement_growth.svg from the benchmarks' output.
 
     build/tests/graph_benchmark --benchmark_filter=Growth --benchmark_format=json > growth.json
     tests/benchmarks/plot_growth.py growth.json docs/pictures/growth.svg
+    build/tests/refinement_benchmark --benchmark_filter=Growth --benchmark_format=json > growth.json
+    tests/benchmarks/plot_growth.py growth.json docs/pictures/refinement_growth.svg
 """
 
 import json
@@ -11,13 +13,20 @@ import sys
 
 WIDTH, HEIGHT, LEFT, BOTTOM, TOP = 330, 240, 56, 40, 28
 COLOURS = {"ms": "#1f6f8b", "MB": "#c65d21"}
+# Program -> benchmark, title and unit of its two panels.
+PANELS = {
+    "graph_benchmark": [("GrowthWithWaypoints", "36 samples a waypoint", "waypoints"),
+                        ("GrowthWithSamples", "30 waypoints", "samples a waypoint")],
+    "refinement_benchmark": [("GrowthWithWaypoints", "the same seam cut finer", "waypoints"),
+                             ("GrowthWithLength", "2.5 mm a waypoint", "waypoints")],
+}
 
 
 def series(benchmarks, name):
     rows = []
     for entry in benchmarks:
         parts = entry["name"].split("/")
-        if parts[0] == name:
+        if parts[0] == name and not entry.get("error_occurred"):
             rows.append((int(parts[1]), {"ms": entry["real_time"], "MB": entry["MB"]}))
     return sorted(rows)
 
@@ -65,14 +74,13 @@ def panel(rows, title, unit, left):
 
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
-        benchmarks = json.load(file)["benchmarks"]
+        output = json.load(file)
+    program = output["context"]["executable"].split("/")[-1]
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{2 * WIDTH}" height="{HEIGHT}" '
              'font-family="sans-serif" font-size="11">',
              f'<rect width="{2 * WIDTH}" height="{HEIGHT}" fill="white"/>']
-    parts += panel(series(benchmarks, "GrowthWithWaypoints"), "36 samples a waypoint",
-                   "waypoints", 0)
-    parts += panel(series(benchmarks, "GrowthWithSamples"), "30 waypoints", "samples a waypoint",
-                   WIDTH)
+    for place, (name, title, unit) in enumerate(PANELS[program]):
+        parts += panel(series(output["benchmarks"], name), title, unit, place * WIDTH)
     parts.append("</svg>")
     with open(sys.argv[2], "w", encoding="utf-8") as file:
         file.write("\n".join(parts) + "\n")
