@@ -109,6 +109,11 @@ Taylor square_root(const Taylor& f) {
   return root;
 }
 
+VectorTaylor::VectorTaylor(const Taylor& x, const Taylor& y, const Taylor& z)
+    : rest(Eigen::Vector3d(x.rest, y.rest, z.rest).norm()) {
+  for (std::size_t k = 0; k < kTerms; ++k) c[k] << x.c[k], y.c[k], z.c[k];
+}
+
 VectorTaylor VectorTaylor::constant(const Eigen::Vector3d& value) {
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
   return {{value, zero, zero, zero}, 0};
@@ -151,6 +156,12 @@ VectorTaylor along(const Eigen::Vector3d& direction, const Taylor& f) {
   for (std::size_t k = 0; k < kTerms; ++k) result.c[k] = f.c[k] * direction;
   result.rest = f.rest * direction.norm();
   return result;
+}
+
+Taylor dot(const VectorTaylor& f, const VectorTaylor& g) {
+  Taylor sum = f.coordinate(0) * g.coordinate(0);
+  for (int k = 1; k < 3; ++k) sum = sum + f.coordinate(k) * g.coordinate(k);
+  return sum;
 }
 
 // (F29) E = exp(i angle) has E' = i angle' E, hence k E_k = i sum_{m=1..k} m angle_m E_{k-m}.
