@@ -135,19 +135,35 @@ ToleranceBox box_with_free_spin(ToleranceFrame frame) {
   return box;
 }
 
-TEST(SpanCost, Jacobian) {
+TEST(ObjectiveCost, Jacobian) {
   std::mt19937 random(1);
   const SplineBasis basis(kBreakpoints);
   CostOptions options;
   options.acceleration = 2;
   options.jerk = 0.5;
+  options.joint_weights = {1, 0.3, 2};
+  options.preferred_posture = {0.2, -0.4, 1};
   const auto weights = objective_weights(options, 0.7, 3);
-  JointVector joint_weight(3);
-  joint_weight << 1, 0.3, 2;
-  for (const SpanFactor& factor : span_factors(weights, basis)) {
-    const std::unique_ptr<ceres::CostFunction> cost(span_cost(factor, joint_weight));
+  for (const ObjectiveRow& row : objective_rows(weights, basis)) {
+    const std::unique_ptr<ceres::CostFunction> cost(objective_cost(row, weights));
     expect_jacobian(*cost, control_about(JointVector::Zero(3), 1, random));
     expect_jacobian(*cost, control_about(JointVector::Ones(3), 0, random), 1e-7, 1e-4);
+    // At the preferred posture nothing is left.
+    EXPECT_LT(residuals_at(*cost, control_about(weights.posture, 0, random)).norm(), 1e-9);
+  }
+}
+
+TEST(SingularityCost, Jacobian) {
+  std::mt19937 random(10);
+  const auto robot = kr5::load();
+  for (const JointVector& q : kr5_postures(*robot, random)) {
+    const SingularityPoint point{kTime, SplineBasis(kBreakpoints).at(kTime), 1.7};
+    const std::unique_ptr<ceres::CostFunction> cost(singularity_cost(*robot, point));
+    // The KR 5's axes 4 and 6 line up where joint 5 is zero.
+    EXPECT_NEAR(residuals_at(*cost, control_about(q, 0, random))[0], 1.7 * std::pow(std::cos(q[4]), 4),
+                1e-12);
+    expect_jacobian(*cost, control_about(q, 0, random));
+    expect_jacobian(*cost, control_about(q, 0.1, random));
   }
 }
 

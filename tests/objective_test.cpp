@@ -172,32 +172,57 @@ TEST(ObjectiveTerms, OfAFinePathAndOfItsCurveAgree) {
   EXPECT_NEAR(points.euler, curve.euler, 0.01 * curve.euler);
 }
 
-TEST(SpanFactors, SquaredNormsAreTheIntegral) {
+TEST(ObjectiveRows, SquaredNormsAreTheIntegral) {
   const std::vector<double> breakpoints = {0, 0.3, 1, 2, 2.1};
-  const ObjectiveWeights weights = objective_weights(uneven_cost(), kTau, 4);
-  for (unsigned seed = 0; seed < 3; ++seed) {
-    const Spline spline = random_spline(breakpoints, 4, seed);
-    const auto factors = span_factors(weights, spline.basis);
-    ASSERT_EQ(factors.size(), 4U);
-    for (std::size_t span = 0; span < 4; ++span) {
-      EXPECT_TRUE(factors[span].isUpperTriangular(0));
-      const Eigen::MatrixXd local =
-          spline.control.middleCols(static_cast<Eigen::Index>(span), SplineBasis::kLocal);
-      const Eigen::MatrixXd weighted = weights.joint.asDiagonal() * local;
-      const double found = (factors[span] * weighted.transpose()).squaredNorm();
-      const double dense = integral({breakpoints[span], breakpoints[span + 1]}, [&](double t) {
+  CostOptions cost = uneven_cost();
+  for (const bool has_posture : {false, true}) {
+    if (has_posture) cost.preferred_posture = {0.3, -1, 0.1, 0.7};
+    const ObjectiveWeights weights = objective_weights(cost, kTau, 4);
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      const Spline spline = random_spline(breakpoints, 4, seed);
+      const auto rows = objective_rows(weights, spline.basis);
+      ASSERT_EQ(rows.size(), static_cast<std::size_t>(spline.basis.control_count()));
+      double found = 0;
+      for (const ObjectiveRow& row : rows) {
+        const Eigen::MatrixXd off =
+            spline.control.middleCols<SplineBasis::kLocal>(row.first).colwise() - weights.posture;
+        found += (weights.joint.asDiagonal() * off * row.coefficients.transpose()).squaredNorm();
+      }
+      const double dense = integral(breakpoints, [&](double t) {
         double density = 0;
-        for (int k = 1; k <= 3; ++k) {
-          // The last span's right end is not its neighbour's.
-          const double inside = std::min(t, breakpoints[span + 1] - 1e-12);
+        for (int k = 0; k <= 3; ++k) {
+          JointVector value = spline.evaluate(t, k);
+          if (k == 0) value -= weights.posture;
           density += weights.derivative[static_cast<std::size_t>(k)] *
-                     spline.evaluate(inside, k).cwiseProduct(weights.joint).squaredNorm();
+                     value.cwiseProduct(weights.joint).squaredNorm();
         }
         return density;
       });
-      EXPECT_NEAR(found, dense, 1e-5 * dense);
+      EXPECT_NEAR(found, dense, 1e-4 * dense);
     }
   }
+}
+
+TEST(ObjectiveTerms, PostureAndSingularityEqualADenseSum) {
+  const auto robot = kr5::load();
+  CostOptions cost;
+  cost.preferred_posture = {0.1, -1, 1, 0.2, -0.3, 0.4};
+  cost.posture = 2;
+  cost.singularity_refine = 3;
+  const ObjectiveWeights weights = objective_weights(cost, kTau, 6);
+  const Task task = gantry::task({{0, 0, 0}, {1, 0, 0}}, 2, 20, gantry::box(1, 1));
+  const Spline spline = random_spline({0, 0.3, 1, 2}, 6, 4);
+  const ObjectiveTerms terms = objective_terms(weights, *robot, task, spline);
+  double posture = 0, singularity = 0;
+  constexpr int kSteps = 20000;
+  for (int i = 0; i < kSteps; ++i) {
+    const JointVector q = spline.evaluate(2 * (i + 0.5) / kSteps);
+    posture += (q - weights.posture).squaredNorm() * 2 / kSteps;
+    singularity += std::pow(std::cos(q[4]), 8) * 2 / kSteps;  // axes 4 and 6 meet at joint 5
+  }
+  EXPECT_NEAR(terms.posture, 2 / (kTau * kTau) * posture, 1e-5 * terms.posture);
+  EXPECT_NEAR(terms.singularity, 3 / (kTau * kTau) * singularity, 1e-2 * terms.singularity);
+  EXPECT_GT(terms.singularity, 0.01);
 }
 
 TEST(EulerPoints, AreQuadratureOfTheStretchesWithAPrescribedPath) {

@@ -21,10 +21,10 @@ double cox_de_boor(const std::vector<double>& knots, std::size_t i, std::size_t 
              cox_de_boor(knots, i + 1, degree - 1, t);
 }
 
-Spline random_spline(unsigned seed) {
+Spline random_spline(unsigned seed, std::vector<double> breakpoints = kBreakpoints) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  Spline spline{SplineBasis(kBreakpoints), {}};
+  Spline spline{SplineBasis(std::move(breakpoints)), {}};
   spline.control =
       Eigen::MatrixXd::NullaryExpr(2, spline.basis.control_count(), [&] { return normal(random); });
   return spline;
@@ -115,18 +115,16 @@ TEST(FitSpline, CopesWithFewerPointsThanControlPoints) {
   EXPECT_NEAR(spline.evaluate(0.5)[0], 2.5, 1e-3);
 }
 
-TEST(ChooseBreakpoints, KeepsTheEndsAndTheSpacing) {
-  std::vector<double> times;
-  for (int i = 0; i <= 100; ++i) times.push_back(0.1 * i);
-  const auto breakpoints = choose_breakpoints(times, 0.75);
-  EXPECT_EQ(breakpoints.front(), 0);
-  EXPECT_EQ(breakpoints.back(), times.back());
-  for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
-    EXPECT_GE(breakpoints[i + 1] - breakpoints[i], 0.37);
-    EXPECT_LE(breakpoints[i + 1] - breakpoints[i], 1.2);
+TEST(WithBreakpoints, KeepsTheCurve) {
+  const Spline spline = random_spline(11, {0, 0.4, 1.5, 2, 5});
+  const Spline finer =
+      with_breakpoints(spline, {0, 0.1, 0.2, 0.4, 0.41, 1.5, 1.7, 2, 2.5, 3, 4.9, 5});
+  for (double t = 0; t <= 5; t += 0.01) {
+    for (int k = 0; k <= 3; ++k) {
+      const double scale = 1 + spline.evaluate(t, k).norm();
+      EXPECT_LT((finer.evaluate(t, k) - spline.evaluate(t, k)).norm(), 1e-9 * scale) << t;
+    }
   }
-  EXPECT_EQ(choose_breakpoints(times, 0.01).size(), times.size());
-  EXPECT_EQ(choose_breakpoints({0, 1}, 50).size(), 2U);
 }
 
 TEST(GaussPoints, IntegratePolynomialsOfDegreeNine) {

@@ -28,6 +28,10 @@ struct CostOptions {
   double singularity_graph = 0;  ///< rad of joint motion at each vertex that is singular; less
                                  ///< where it is farther from that: w (1 - measure)
   SingularityMeasure singularity_measure = SingularityMeasure::wrist;
+  double singularity_refine = 0;  ///< stage 2: weight of cos^8(wrist) / tau^2 (F32)
+  /// Stage 2: weight of |q - preferred|^2 / tau^2; unused where preferred_posture is empty.
+  double posture = 1;
+  std::vector<double> preferred_posture;  ///< rad or m, one per joint; empty: none
   /// The caller's own cost of a posture (at a waypoint) and of a move (in the interval after a
   /// waypoint) in stage 1, rad of joint motion, >= 0, added to the rest. Infinity: not allowed.
   /// Called from several threads.

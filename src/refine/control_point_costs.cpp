@@ -1,5 +1,7 @@
 #include "refine/control_point_costs.hpp"
 
+#include <cmath>
+
 namespace wristwise {
 
 namespace {
@@ -42,41 +44,59 @@ class ControlPointCost : public ceres::CostFunction {
   int joints_;
 };
 
-class SpanCost final : public ControlPointCost {
+class ObjectiveCost final : public ControlPointCost {
  public:
-  SpanCost(const SpanFactor& factor, const JointVector& joint_weight)
-      : ControlPointCost(static_cast<int>(joint_weight.size()), SplineBasis::kLocal,
-                         SplineBasis::kLocal * static_cast<int>(joint_weight.size())),
-        factor_(factor),
-        joint_weight_(joint_weight) {}
+  ObjectiveCost(const ObjectiveRow& row, const ObjectiveWeights& weights)
+      : ControlPointCost(static_cast<int>(weights.joint.size()), SplineBasis::kLocal,
+                         static_cast<int>(weights.joint.size())),
+        row_(row),
+        weights_(weights) {}
 
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
-    Eigen::Map<Eigen::MatrixXd> residual(residuals, joints(), SplineBasis::kLocal);
+    Eigen::Map<Eigen::VectorXd> residual(residuals, joints());
     residual.setZero();
-    for (int r = 0; r < SplineBasis::kLocal; ++r) {
-      for (int k = r; k < SplineBasis::kLocal; ++k) {
-        residual.col(r) += factor_(r, k) * control(parameters, k);
-      }
-      residual.col(r).array() *= joint_weight_.array();
-    }
-    if (jacobians == nullptr) return true;
     for (int k = 0; k < SplineBasis::kLocal; ++k) {
+      residual += row_.coefficients[k] * (control(parameters, k) - weights_.posture);
+    }
+    residual.array() *= weights_.joint.array();
+    for (int k = 0; jacobians != nullptr && k < SplineBasis::kLocal; ++k) {
       if (jacobians[k] == nullptr) continue;
       JacobianBlock block = jacobian(jacobians, k);
       block.setZero();
-      for (int r = 0; r <= k; ++r) {
-        for (int j = 0; j < joints(); ++j) {
-          block(r * joints() + j, j) = factor_(r, k) * joint_weight_[j];
-        }
-      }
+      block.diagonal() = row_.coefficients[k] * weights_.joint;
     }
     return true;
   }
 
  private:
-  SpanFactor factor_;
-  JointVector joint_weight_;
+  const ObjectiveRow& row_;
+  const ObjectiveWeights& weights_;
+};
+
+class SingularityCost final : public ControlPointCost {
+ public:
+  SingularityCost(const Robot& robot, const SingularityPoint& point)
+      : ControlPointCost(robot.joint_count(), SplineBasis::kLocal, 1),
+        robot_(robot),
+        point_(point) {}
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    ChainPose chain;
+    forward_kinematics(robot_, posture(parameters, point_.basis), chain);
+    JointVector slope;
+    const double c = wrist_alignment(robot_, chain, &slope);
+    residuals[0] = point_.sqrt_weight * std::pow(c, 4);
+    if (jacobians == nullptr) return true;
+    chain_rule(4 * point_.sqrt_weight * std::pow(c, 3) * slope.transpose(), point_.basis,
+               jacobians);
+    return true;
+  }
+
+ private:
+  const Robot& robot_;
+  const SingularityPoint& point_;
 };
 
 class EulerCost final : public ControlPointCost {
@@ -115,20 +135,19 @@ class PointCost final : public ControlPointCost {
                          static_cast<int>(point.rows.size())),
         checker_(checker),
         point_(point),
-        mu_(mu) {}
+        mu_(mu * point.weight) {}
 
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
-    PointValues values;
     evaluate(point_, checker_, posture(parameters, point_.basis), mu_, jacobians != nullptr,
-             values);
-    for (Eigen::Index r = 0; r < values.c.size(); ++r) {
+             values_);
+    for (Eigen::Index r = 0; r < values_.c.size(); ++r) {
       double slope = 0;
       residuals[r] =
-          point_.rows[static_cast<std::size_t>(r)].bounds.residual(values.c[r], mu_, slope);
-      if (jacobians != nullptr) values.jacobian.row(r) *= slope;
+          point_.rows[static_cast<std::size_t>(r)].bounds.residual(values_.c[r], mu_, slope);
+      if (jacobians != nullptr) values_.jacobian.row(r) *= slope;
     }
-    if (jacobians != nullptr) chain_rule(values.jacobian, point_.basis, jacobians);
+    if (jacobians != nullptr) chain_rule(values_.jacobian, point_.basis, jacobians);
     return true;
   }
 
@@ -136,6 +155,7 @@ class PointCost final : public ControlPointCost {
   ClearanceChecker& checker_;
   const PointConstraint& point_;
   double mu_;
+  mutable PointValues values_;  ///< a buffer: Ceres runs on one thread here
 };
 
 class LimitCost final : public ControlPointCost {
@@ -173,8 +193,12 @@ class LimitCost final : public ControlPointCost {
 
 }  // namespace
 
-ceres::CostFunction* span_cost(const SpanFactor& factor, const JointVector& joint_weight) {
-  return new SpanCost(factor, joint_weight);
+ceres::CostFunction* objective_cost(const ObjectiveRow& row, const ObjectiveWeights& weights) {
+  return new ObjectiveCost(row, weights);
+}
+
+ceres::CostFunction* singularity_cost(const Robot& robot, const SingularityPoint& point) {
+  return new SingularityCost(robot, point);
 }
 
 ceres::CostFunction* euler_cost(const Robot& robot, const EulerPoint& point) {

@@ -12,8 +12,11 @@ namespace wristwise {
 /// parameter block of one value per joint, with analytic Jacobians. The caller owns what is
 /// returned; arguments held by reference must outlive it.
 
-/// R c_j W_j for one span (F14): six residuals for each joint.
-ceres::CostFunction* span_cost(const SpanFactor& factor, const JointVector& joint_weight);
+/// One row of the objective (F14): a residual for each joint.
+ceres::CostFunction* objective_cost(const ObjectiveRow& row, const ObjectiveWeights& weights);
+
+/// sqrt(weight) cos^4(wrist) at a quadrature point (F32).
+ceres::CostFunction* singularity_cost(const Robot& robot, const SingularityPoint& point);
 
 /// sqrt(weight) (alpha, beta) at a quadrature point (F14).
 ceres::CostFunction* euler_cost(const Robot& robot, const EulerPoint& point);

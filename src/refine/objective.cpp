@@ -25,20 +25,41 @@ double euler_density(const ObjectiveWeights& weights, const Robot& robot, const 
   return weights.alpha * e[3] * e[3] + weights.beta * e[4] * e[4];
 }
 
+double posture_density(const ObjectiveWeights& weights, const JointVector& q) {
+  return weights.derivative[0] * weights.joint.cwiseProduct(q - weights.posture).squaredNorm();
+}
+
+double singularity_density(const ObjectiveWeights& weights, const Robot& robot,
+                           const JointVector& q) {
+  ChainPose chain;
+  forward_kinematics(robot, q, chain);
+  return weights.singularity * std::pow(wrist_alignment(robot, chain, nullptr), 8);
+}
+
 bool has_euler(const ObjectiveWeights& weights) { return weights.alpha > 0 || weights.beta > 0; }
+
+bool depends_on_posture(const ObjectiveWeights& weights) {
+  return has_euler(weights) || weights.derivative[0] > 0 || weights.singularity > 0;
+}
 
 }  // namespace
 
 ObjectiveWeights objective_weights(const CostOptions& cost, double smoothing_time, int joints) {
   const double tau = smoothing_time;
   ObjectiveWeights weights;
-  weights.derivative = {0, cost.joint_motion, cost.acceleration * std::pow(tau, 2),
+  weights.derivative = {cost.preferred_posture.empty() ? 0 : cost.posture / (tau * tau),
+                        cost.joint_motion, cost.acceleration * std::pow(tau, 2),
                         cost.jerk * std::pow(tau, 4)};
+  weights.singularity = cost.singularity_refine / (tau * tau);
   weights.beta = cost.euler_refine / (tau * tau);
   weights.alpha = weights.beta * cost.euler_eta * cost.euler_eta;
   weights.joint = JointVector::Ones(joints);
   for (std::size_t j = 0; j < cost.joint_weights.size(); ++j) {
     weights.joint[static_cast<Eigen::Index>(j)] = cost.joint_weights[j];
+  }
+  weights.posture = JointVector::Zero(joints);
+  for (std::size_t j = 0; j < cost.preferred_posture.size(); ++j) {
+    weights.posture[static_cast<Eigen::Index>(j)] = cost.preferred_posture[j];
   }
   return weights;
 }
@@ -46,20 +67,29 @@ ObjectiveWeights objective_weights(const CostOptions& cost, double smoothing_tim
 ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& robot,
                                const Task& task, const Spline& spline) {
   std::array<double, 4> integral{};
+  double posture = 0, singularity = 0;
   for (const QuadraturePoint& point : gauss_points(spline.basis.breakpoints())) {
     for (int k = 1; k <= 3; ++k) {
       integral[static_cast<std::size_t>(k)] +=
           point.weight * weights.joint.cwiseProduct(spline.evaluate(point.time, k)).squaredNorm();
     }
+    if (!depends_on_posture(weights)) continue;
+    const JointVector q = spline.evaluate(point.time);
+    posture += point.weight * posture_density(weights, q);
+    if (weights.singularity > 0)
+      singularity += point.weight * singularity_density(weights, robot, q);
     if (!has_euler(weights)) continue;
     if (const auto box = task.tolerance_between(interval_at(task, point.time))) {
       integral[0] +=
-          point.weight * euler_density(weights, robot, *box, task.seam.frame_at(point.time),
-                                       spline.evaluate(point.time));
+          point.weight * euler_density(weights, robot, *box, task.seam.frame_at(point.time), q);
     }
   }
-  return {weights.derivative[1] * integral[1], weights.derivative[2] * integral[2],
-          weights.derivative[3] * integral[3], integral[0]};
+  return {weights.derivative[1] * integral[1],
+          weights.derivative[2] * integral[2],
+          weights.derivative[3] * integral[3],
+          integral[0],
+          posture,
+          singularity};
 }
 
 // (F13) integral |q^(k)|^2 dt ~ sum_i |k! [q_i .. q_i+k]|^2 (t_i+k - t_i) / k; with equal steps h
@@ -67,6 +97,7 @@ ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& rob
 ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& robot,
                                const Task& task, const JointPath& path) {
   std::array<double, 4> integral{};
+  double posture = 0, singularity = 0;
   for (int k = 1; k <= 3; ++k) {
     const auto differences = divided_differences(path, k);
     for (std::size_t i = 0; i < differences.size(); ++i) {
@@ -75,40 +106,62 @@ ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& rob
           width * weights.joint.cwiseProduct(differences[i]).squaredNorm();
     }
   }
-  for (std::size_t i = 0; has_euler(weights) && i < path.size(); ++i) {
-    const Waypoint& waypoint = task.waypoints[i];
-    if (waypoint.joints) continue;
+  for (std::size_t i = 0; depends_on_posture(weights) && i < path.size(); ++i) {
     const double before = i > 0 ? path.times[i] - path.times[i - 1] : 0;
     const double after = i + 1 < path.size() ? path.times[i + 1] - path.times[i] : 0;
-    integral[0] +=
-        0.5 * (before + after) *
-        euler_density(weights, robot, waypoint.tolerance, waypoint.frame, path.positions[i]);
+    const double width = 0.5 * (before + after);
+    posture += width * posture_density(weights, path.positions[i]);
+    if (weights.singularity > 0)
+      singularity += width * singularity_density(weights, robot, path.positions[i]);
+    const Waypoint& waypoint = task.waypoints[i];
+    if (!has_euler(weights) || waypoint.joints) continue;
+    integral[0] += width * euler_density(weights, robot, waypoint.tolerance, waypoint.frame,
+                                         path.positions[i]);
   }
-  return {weights.derivative[1] * integral[1], weights.derivative[2] * integral[2],
-          weights.derivative[3] * integral[3], integral[0]};
+  return {weights.derivative[1] * integral[1],
+          weights.derivative[2] * integral[2],
+          weights.derivative[3] * integral[3],
+          integral[0],
+          posture,
+          singularity};
 }
 
-std::vector<SpanFactor> span_factors(const ObjectiveWeights& weights, const SplineBasis& basis) {
-  constexpr int kPoints = 5;
+// Span s sees the control points s .. s+5. Its quadrature rows are stacked under what earlier spans
+// left for these (upper triangular) and factorised; no later span sees control point s, so that the
+// first row is final and the rest is handed on, one column to the left.
+std::vector<ObjectiveRow> objective_rows(const ObjectiveWeights& weights,
+                                         const SplineBasis& basis) {
+  constexpr int kPoints = 5, kLocal = SplineBasis::kLocal;
   const auto points = gauss_points(basis.breakpoints());
-  std::vector<SpanFactor> factors;
+  std::vector<ObjectiveRow> result;
+  result.reserve(static_cast<std::size_t>(basis.control_count()));
+  Eigen::Matrix<double, kLocal + 4 * kPoints, kLocal> rows;
+  Eigen::Matrix<double, kLocal, kLocal> left = Eigen::Matrix<double, kLocal, kLocal>::Zero();
   for (int span = 0; span < basis.span_count(); ++span) {
-    Eigen::Matrix<double, 3 * kPoints, SplineBasis::kLocal> rows;
+    rows.topRows<kLocal>() = left;
     for (int i = 0; i < kPoints; ++i) {
-      const QuadraturePoint& point =
-          points[static_cast<std::size_t>(span) * kPoints + static_cast<std::size_t>(i)];
+      const QuadraturePoint& point = points[static_cast<std::size_t>(span * kPoints + i)];
       const SplineBasis::Values values = basis.at(point.time);
-      for (int k = 1; k <= 3; ++k) {
-        rows.row(3 * i + k - 1) =
+      for (int k = 0; k < 4; ++k) {
+        rows.row(kLocal + 4 * i + k) =
             std::sqrt(point.weight * weights.derivative[static_cast<std::size_t>(k)]) *
             values.derivatives.col(k).transpose();
       }
     }
     const Eigen::HouseholderQR<decltype(rows)> qr(rows);
-    factors.emplace_back(
-        qr.matrixQR().topRows<SplineBasis::kLocal>().triangularView<Eigen::Upper>());
+    left = qr.matrixQR().topRows<kLocal>().triangularView<Eigen::Upper>();
+    result.push_back({span, left.row(0)});
+    left.topLeftCorner<kLocal - 1, kLocal - 1>() =
+        left.bottomRightCorner<kLocal - 1, kLocal - 1>().eval();
+    left.row(kLocal - 1).setZero();
+    left.col(kLocal - 1).setZero();
   }
-  return factors;
+  for (int k = 0; k + 1 < kLocal; ++k) {
+    ObjectiveRow row{basis.span_count() - 1, {}};
+    row.coefficients << 0, left.row(k).head<kLocal - 1>();
+    result.push_back(row);
+  }
+  return result;
 }
 
 std::vector<EulerPoint> euler_points(const ObjectiveWeights& weights, const Task& task,
@@ -128,6 +181,30 @@ std::vector<EulerPoint> euler_points(const ObjectiveWeights& weights, const Task
     points.push_back(point);
   }
   return points;
+}
+
+std::vector<SingularityPoint> singularity_points(const ObjectiveWeights& weights,
+                                                 const SplineBasis& basis) {
+  std::vector<SingularityPoint> points;
+  if (weights.singularity <= 0) return points;
+  for (const QuadraturePoint& quadrature : gauss_points(basis.breakpoints())) {
+    points.push_back({quadrature.time, basis.at(quadrature.time),
+                      std::sqrt(quadrature.weight * weights.singularity)});
+  }
+  return points;
+}
+
+// (F32) a = a_(n-2), b = a_n: only the joint between them turns one without the other, and
+// d(a . b) / dq_(n-1) = a . (a_(n-1) x b).
+double wrist_alignment(const Robot& robot, const ChainPose& chain, JointVector* derivative) {
+  const int n = chain.joint_count;
+  if (derivative != nullptr) derivative->setZero(n);
+  if (n < 3) return 0;
+  const auto last = static_cast<std::size_t>(n - 1);
+  const Eigen::Vector3d &a = chain.axes[last - 2], &b = chain.axes[last];
+  if (derivative != nullptr && robot.joints()[last - 1].type != JointType::prismatic)
+    (*derivative)[n - 2] = a.dot(chain.axes[last - 1].cross(b));
+  return a.dot(b);
 }
 
 }  // namespace wristwise

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "refine/spline.hpp"
+#include "wristwise/kinematics.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/robot.hpp"
 #include "wristwise/seam.hpp"
@@ -12,20 +13,25 @@ namespace wristwise {
 
 /// The weights of one planning problem's objective (F14):
 ///   integral of w_v |W q'|^2 + w_a tau^2 |W q''|^2 + w_j tau^4 |W q'''|^2
+///             + w_p / tau^2 |W (q - p)|^2 + w_s / tau^2 cos^8(wrist)
 ///             + w_e (eta^2 alpha^2 + beta^2) / tau^2,    W = diag(joint weights).
 struct ObjectiveWeights {
-  std::array<double, 4> derivative{};  ///< of |W q^(k)|^2, k = 1 .. 3; [0] unused
+  std::array<double, 4> derivative{};  ///< of |W q^(k)|^2, k = 1 .. 3; [0]: of |W (q - p)|^2
   double alpha = 0;                    ///< of alpha^2
   double beta = 0;                     ///< of beta^2
+  double singularity = 0;              ///< of cos^8 of the angle between the wrist's axes (F32)
   JointVector joint;                   ///< diagonal of W
+  JointVector posture;                 ///< p; zero where there is none
 };
 
 ObjectiveWeights objective_weights(const CostOptions& cost, double smoothing_time, int joints);
 
-/// The integrals of joint motion, acceleration, jerk and Euler deviation, weighted.
+/// The integrals of the terms, weighted.
 struct ObjectiveTerms {
-  double joint_motion = 0, acceleration = 0, jerk = 0, euler = 0;
-  double total() const { return joint_motion + acceleration + jerk + euler; }
+  double joint_motion = 0, acceleration = 0, jerk = 0, euler = 0, posture = 0, singularity = 0;
+  double total() const {
+    return joint_motion + acceleration + jerk + euler + posture + singularity;
+  }
 };
 
 /// Of a curve, by quadrature.
@@ -36,11 +42,17 @@ ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& rob
 ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& robot,
                                const Task& task, const JointPath& path);
 
-/// The derivative terms of one span as a sum of squares: |R c_j W_j|^2 over the joints j, c_j the
-/// six control points of the span. R is the QR factor of the quadrature rows, so the Gram matrix
-/// R^T R is never formed and no digits are lost to its condition.
-using SpanFactor = Eigen::Matrix<double, SplineBasis::kLocal, SplineBasis::kLocal>;
-std::vector<SpanFactor> span_factors(const ObjectiveWeights& weights, const SplineBasis& basis);
+/// One row of the derivative and posture terms as a sum of squares (F14): their integral is the sum
+/// over rows and joints j of (W_j sum_k coefficients[k] (c_j,first+k - p_j))^2, p the preferred
+/// posture. As many rows as control points.
+struct ObjectiveRow {
+  int first = 0;  ///< index of the first control point
+  Eigen::Matrix<double, 1, SplineBasis::kLocal> coefficients;
+};
+
+/// By a QR factorisation of the quadrature rows, span after span, so that the Gram matrix is never
+/// formed and no digits are lost to its condition.
+std::vector<ObjectiveRow> objective_rows(const ObjectiveWeights& weights, const SplineBasis& basis);
 
 /// One quadrature point of the Euler term: residuals sqrt(weight) (alpha, beta) at a time.
 struct EulerPoint {
@@ -52,5 +64,18 @@ struct EulerPoint {
 };
 std::vector<EulerPoint> euler_points(const ObjectiveWeights& weights, const Task& task,
                                      const SplineBasis& basis);
+
+/// One quadrature point of the singularity term: residual sqrt_weight * wrist_alignment^4.
+struct SingularityPoint {
+  double time = 0;
+  SplineBasis::Values basis;
+  double sqrt_weight = 0;
+};
+std::vector<SingularityPoint> singularity_points(const ObjectiveWeights& weights,
+                                                 const SplineBasis& basis);
+
+/// a_(n-2) . a_n, the cosine of the angle between the axes that line up where a spherical wrist is
+/// singular, and its derivative with respect to q (F32); 0 for chains of fewer than three joints.
+double wrist_alignment(const Robot& robot, const ChainPose& chain, JointVector* derivative);
 
 }  // namespace wristwise

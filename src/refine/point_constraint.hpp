@@ -19,7 +19,8 @@ struct PointConstraint {
     AugmentedRow bounds;
   };
 
-  double time = 0;  ///< s
+  double time = 0;    ///< s
+  double weight = 1;  ///< of mu: the share of the motion that the point stands for (F16)
   SplineBasis::Values basis;
   Pose frame = Pose::Identity();
   ToleranceBox tolerance;

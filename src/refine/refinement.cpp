@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "cancelled.hpp"
+#include "refine/augmented_lagrangian.hpp"
+#include "refine/breakpoints.hpp"
+#include "refine/collocation.hpp"
 #include "refine/dip_search.hpp"
-#include "refine/spline_solver.hpp"
 
 namespace wristwise {
 
@@ -16,52 +18,18 @@ namespace {
 /// First mu, as a share of the seed's objective. A soft start lets the path leave the seam for a
 /// while, and finds its way out of a spiky seed; a stiff one stays close to the seed.
 constexpr std::array<double, 3> kStartShares = {1, 0.1, 100};
-constexpr double kGrowth = 10;     ///< of mu in a round that gains too little
-constexpr double kMuRange = 1e12;  ///< largest mu / first mu
-constexpr double kFloor = 1e-4;  ///< m and rad; a violation that stalls below this wants more knots
-constexpr double kSoftening = 1e-4;      ///< of mu when the curve gets more knots
-constexpr double kRateShare = 0.1;       ///< first mu of rates, as a share of the objective
-constexpr double kRateTolerance = 5e-4;  ///< of rates, half the margin they are kept by
-constexpr double kBand = 0.02;           ///< m; pairs that are nearer than this get a constraint
-constexpr double kBetweenShare = 0.5;    ///< of the between-tolerance, at added points
-constexpr int kSamplesBetween = 10;
-constexpr int kStalledRounds = 2;
-constexpr int kPatience = 2;  ///< rounds in which the inner solver may run out of iterations
-constexpr double kFewestSpans = 100;
+constexpr double kPointsOfUnitWeight = 50;  ///< the weight of a point is 1 where it stands for 1/50
+constexpr double kFewestSpans = 48;
+constexpr double kCoarsestSpans = 12;
+constexpr std::size_t kCoarsening = 4;
 constexpr double kTurnOfASpan = 0.25;  ///< rad, of the seam
-constexpr double kSettled = 1e-4;      ///< relative change of the objective between rounds
-
-/// Constraints that share a unit, and so a penalty parameter.
-struct Group {
-  double first_mu = 0;
-  double mu = 0;
-  double violation = 0;  ///< largest, in the last round
-  double best_violation = INFINITY;
-  int stalled = 0;
-
-  void raise(double value) { violation = std::max(violation, value); }
-
-  /// After a round that left a violation: larger mu where it gained too little. False where that
-  /// does not help any more: the curve has too few knots, or there is no solution.
-  bool tighten() {
-    const bool stalls = violation > 0.5 * best_violation;
-    stalled = stalls && violation < kFloor ? stalled + 1 : 0;
-    if (mu >= kMuRange * first_mu || stalled >= kStalledRounds) return false;
-    if (violation > 0.1 * best_violation) mu *= kGrowth;
-    best_violation = std::min(best_violation, violation);
-    return true;
-  }
-
-  void restart() {
-    best_violation = INFINITY;
-    stalled = 0;
-  }
-
-  void soften() {
-    restart();
-    mu = std::max(first_mu, kSoftening * mu);
-  }
-};
+constexpr double kSmoothingSpans = 20;  ///< the seed is smoothed over the duration / this, at least
+constexpr int kPointsPerSpan = 3;
+constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
+constexpr int kSamplesBetween = 10;
+constexpr int kMostSplits = 6;
+constexpr double kShortestSpan = 0.02;  ///< of the first spacing
+constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8};
 
 /// How far the direction of travel turns along the waypoints, rad.
 double seam_turning(const Task& task) {
@@ -76,227 +44,176 @@ double seam_turning(const Task& task) {
   return turning;
 }
 
-/// One run of the augmented Lagrangian from a seed.
+/// One run from a seed: coarse curves first, then the knots that the motion needs.
 class Attempt {
  public:
-  Attempt(const RefinementInput& input, const JointPath& seed, double start_share)
+  Attempt(const RefinementInput& input, const JointPath& seed, double start_share, const Stop& stop)
       : input_(input),
+        stop_(stop),
+        duration_(seed.times.back() - seed.times.front()),
+        turning_(seam_turning(input.task)),
         weights_(
             objective_weights(input.cost, input.options.smoothing_time, input.robot.joint_count())),
         checker_(input.clearance),
-        required_(input.clearance->clearance() + input.options.clearance_epsilon),
-        spacing_(first_spacing(seed)),
-        spline_(fit_spline(seed, choose_breakpoints(seed.times, spacing_), seed_smoothing(seed))) {
-    initial_ = objective_terms(weights_, input.robot, input.task, seed);
-    const double duration = seed.times.back() - seed.times.front();
-    places_.first_mu = places_.mu = start_share * std::max(terms().total(), 1e-6 / duration);
-    for (const Waypoint& waypoint : input.task.waypoints) {
-      points_.push_back(constraint_at_waypoint(waypoint, spline_.basis));
-    }
-    prepare_basis();
+        collocation_(input.task),
+        levels_(knot_levels(seed.times)),
+        initial_(objective_terms(weights_, input.robot, input.task, seed)),
+        lagrangian_(input, weights_, checker_,
+                    fit_spline(seed, levels_.front(), seed_smoothing()), 1) {
+    const double objective = std::max(lagrangian_.terms().total(), 1e-6 / duration_);
+    lagrangian_.set_first_mu(start_share * objective);
   }
 
   Refined run() {
-    double last_objective = initial_.total();
-    int unsettled = 0;
-    for (round_ = 0; round_ < input_.options.max_rounds; ++round_) {
-      input_.monitor.report("refine", static_cast<double>(round_) / input_.options.max_rounds);
-      add_near_pairs_everywhere();
-      const bool settled_inside = minimise_once();
-      measure();
-      const double objective = terms().total();
-      const bool settled =
-          settled_inside && std::abs(objective - last_objective) <= kSettled * objective;
-      last_objective = objective;
-      if (!holds() || !settled) {
-        update_multipliers();
-        unsettled = settled_inside ? 0 : unsettled + 1;
-        const bool is_due = settled_inside || unsettled > kPatience;
-        if (is_due && !tighten(objective))
-          return finish(false, "the constraints can't be met together");
-      } else if (!add_dips()) {
-        return finish(true, "converged");
-      } else {
-        places_.restart();
-        rates_.restart();
-      }
+    for (std::size_t level = 0; level + 1 < levels_.size(); ++level) {
+      place_points(level);
+      if (lagrangian_.solve(kCoarse, stop_) == Ending::stopped) return finish("stopped");
     }
-    return finish(holds() && !add_dips(), "round limit");
+    place_points(levels_.size() - 1);
+    const Ending ending = solve_finely();
+    switch (ending) {
+      case Ending::converged:
+        feasible_ = true;
+        return finish("converged");
+      case Ending::stopped:
+        return finish("stopped");
+      case Ending::out_of_rounds:
+        return finish("round limit");
+      default:
+        return finish("the constraints can't be met together");
+    }
   }
 
  private:
-  double first_spacing(const JointPath& seed) const {
+  double unit() const { return duration_ / kPointsOfUnitWeight; }
+
+  double spacing() const {
     const RefineOptions& options = input_.options;
     if (options.knot_spacing > 0) return options.knot_spacing;
-    const double duration = seed.times.back() - seed.times.front();
-    const double spans = std::max(kFewestSpans, seam_turning(input_.task) / kTurnOfASpan);
-    return std::min(0.4 * options.smoothing_time, duration / spans);
+    const double spans = std::max(kFewestSpans, turning_ / kTurnOfASpan);
+    return std::min(0.4 * options.smoothing_time, duration_ / spans);
   }
 
   /// The steps of the sampling grid in a seed say nothing about the motion.
-  double seed_smoothing(const JointPath& seed) const {
-    const double duration = seed.times.back() - seed.times.front();
-    const double spans = std::max(20.0, seam_turning(input_.task) / kTurnOfASpan);
-    return std::min(0.4 * input_.options.smoothing_time, duration / spans);
+  double seed_smoothing() const {
+    const double spans = std::max(kSmoothingSpans, turning_ / kTurnOfASpan);
+    return std::min(0.4 * input_.options.smoothing_time, duration_ / spans);
   }
 
-  void prepare_basis() {
-    span_factors_ = span_factors(weights_, spline_.basis);
-    euler_points_ = euler_points(weights_, input_.task, spline_.basis);
-    limits_ = limit_constraints(input_.robot, spline_.basis);
-    for (PointConstraint& point : points_) point.basis = spline_.basis.at(point.time);
-  }
-
-  /// Twice as many knots, where there are waypoints to put them on. The curve is kept.
-  bool refine_knots() {
-    const auto count = spline_.basis.breakpoints().size();
-    std::vector<double> times;
-    JointPath current;
-    for (const Waypoint& waypoint : input_.task.waypoints) {
-      current.times.push_back(waypoint.time);
-      current.positions.push_back(spline_.evaluate(waypoint.time));
+  /// Breakpoints from coarse to fine, each a subset of the next.
+  std::vector<std::vector<double>> knot_levels(const std::vector<double>& times) const {
+    std::vector<std::vector<double>> levels = {choose_breakpoints(times, spacing())};
+    const double fewest = std::max(kCoarsestSpans, turning_ / (2 * kTurnOfASpan));
+    while (static_cast<double>(levels.back().size() - 1) >= kCoarsening * fewest) {
+      levels.push_back(every_nth(levels.back(), kCoarsening));
     }
-    spacing_ *= 0.5;
-    auto breakpoints = choose_breakpoints(current.times, spacing_);
-    if (breakpoints.size() <= count) return false;
-    spline_ = fit_spline(current, std::move(breakpoints));
-    prepare_basis();
-    forget_multipliers();
-    places_.soften();
-    rates_.soften();
+    std::reverse(levels.begin(), levels.end());
+    return levels;
+  }
+
+  void place_points(std::size_t level) {
+    if (level > 0) lagrangian_.use_breakpoints(levels_[level]);
+    auto& points = lagrangian_.points();
+    points = collocation_.choose(lagrangian_.spline().basis, kPointsPerSpan, unit(), points);
+    lagrangian_.restart();
+  }
+
+  /// Until everything holds everywhere: more points where something is left out, more knots where
+  /// the curve can't follow.
+  Ending solve_finely() {
+    Accuracy accuracy;
+    accuracy.violation = input_.options.constraint_tolerance;
+    int splits = 0;
+    while (true) {
+      accuracy.rounds = input_.options.max_rounds - lagrangian_.rounds();
+      input_.monitor.report("refine", static_cast<double>(lagrangian_.rounds()) /
+                                          input_.options.max_rounds);
+      const Ending ending = lagrangian_.solve(accuracy, stop_);
+      if (ending == Ending::stopped || ending == Ending::out_of_rounds) return ending;
+      if (ending != Ending::converged) {
+        if (++splits > kMostSplits || !split_spans()) return ending;
+        continue;
+      }
+      if (!add_points()) return ending;
+    }
+  }
+
+  bool split_spans() {
+    const auto& breakpoints = lagrangian_.spline().basis.breakpoints();
+    std::vector<double> waypoint_times;
+    for (const Waypoint& waypoint : input_.task.waypoints) waypoint_times.push_back(waypoint.time);
+    auto finer = with_split_spans(breakpoints,
+                                  lagrangian_.violated_times(input_.options.constraint_tolerance),
+                                  waypoint_times, kShortestSpan * spacing());
+    if (finer.size() == breakpoints.size()) return false;
+    lagrangian_.use_breakpoints(std::move(finer));
     return true;
   }
 
-  void add_near_pairs_everywhere() {
-    for (PointConstraint& point : points_) {
-      add_near_pairs(point, checker_, spline_.evaluate(point.time), required_, kBand);
+  /// Constraint points at waypoints that were left out and do not hold, and at the worst dip of
+  /// every interval that has one.
+  bool add_points() {
+    auto& points = lagrangian_.points();
+    const std::size_t count = points.size();
+    const Spline& spline = lagrangian_.spline();
+    collocation_.add_violated(input_.robot, spline, input_.options.constraint_tolerance, unit(),
+                              points);
+    const double accepted = input_.clearance->clearance() + 0.5 * input_.options.clearance_epsilon;
+    for (const Dip& dip :
+         find_dips(input_.task, spline, checker_, accepted, kSamplesBetween)) {
+      points.push_back(
+          constraint_between(input_.task, dip.interval, dip.time, kBetweenShare, spline.basis));
     }
-  }
-
-  bool minimise_once() {
-    const AugmentedProblem problem{input_.robot,  checker_,      weights_.joint,
-                                   span_factors_, euler_points_, points_,
-                                   limits_,       places_.mu,    rates_.mu};
-    const InnerSummary inner =
-        minimise(problem, spline_, input_.options.max_iterations, 1e-8, input_.monitor);
-    statistics_.iterations += inner.iterations;
-    statistics_.evaluations += inner.evaluations;
-    return inner.converged;
-  }
-
-  /// Finds the largest violations; keeps the values for the update of the multipliers.
-  void measure() {
-    places_.violation = rates_.violation = 0;
-    values_.resize(points_.size());
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      PointConstraint& point = points_[i];
-      evaluate(point, checker_, spline_.evaluate(point.time), places_.mu, false, values_[i]);
-      for (std::size_t r = 0; r < point.rows.size(); ++r) {
-        places_.raise(point.rows[r].bounds.violation(values_[i].c[static_cast<Eigen::Index>(r)]));
-      }
-    }
-    for (const LimitConstraint& limit : limits_) {
-      for (std::size_t r = 0; r < limit.rows.size(); ++r) {
-        group_of(limit).raise(limit.rows[r].violation(limit.value(spline_.control, r)));
-      }
-    }
-  }
-
-  bool holds() const {
-    return places_.violation <= input_.options.constraint_tolerance &&
-           rates_.violation <= kRateTolerance;
-  }
-
-  /// Larger mu, or more knots, where the violation does not fall; false if there is nothing left to
-  /// try. Rates count once the places all but hold: pressed into their limits earlier, they would
-  /// lock a curve that still has to find its place.
-  bool tighten(double objective) {
-    if (rates_.violation > kRateTolerance) {
-      if (rates_.mu > 0) {
-        if (!rates_.tighten()) return refine_knots();
-      } else if (places_.violation <= kFloor) {
-        rates_.first_mu = rates_.mu = kRateShare * objective;
-      }
-    }
-    if (places_.violation > input_.options.constraint_tolerance) {
-      if (!places_.tighten()) return refine_knots();
-    }
+    if (points.size() == count) return false;
+    lagrangian_.restart();
     return true;
   }
 
-  Group& group_of(const LimitConstraint& limit) { return limit.derivative == 0 ? places_ : rates_; }
-
-  /// Those of constraints that could not be met are large and mean nothing.
-  void forget_multipliers() {
-    for (PointConstraint& point : points_) {
-      for (PointConstraint::Row& row : point.rows) row.bounds.multiplier = 0;
-    }
+  Refined finish(const std::string& termination) {
+    const ObjectiveTerms final_terms = lagrangian_.terms();
+    RefineStatistics statistics;
+    statistics.run = true;
+    statistics.rounds = lagrangian_.rounds();
+    statistics.iterations = lagrangian_.iterations();
+    statistics.evaluations = lagrangian_.evaluations();
+    statistics.control_points = lagrangian_.spline().basis.control_count();
+    statistics.constraint_points = static_cast<int>(lagrangian_.points().size());
+    statistics.max_violation = lagrangian_.violation();
+    statistics.termination = termination;
+    statistics.objective = final_terms.total();
+    statistics.terms = {{"joint_motion", initial_.joint_motion, final_terms.joint_motion},
+                        {"acceleration", initial_.acceleration, final_terms.acceleration},
+                        {"jerk", initial_.jerk, final_terms.jerk},
+                        {"euler", initial_.euler, final_terms.euler},
+                        {"posture", initial_.posture, final_terms.posture},
+                        {"singularity", initial_.singularity, final_terms.singularity}};
+    return {lagrangian_.spline().sampled_at(row_times()), feasible_, statistics};
   }
 
-  void update_multipliers() {
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      for (std::size_t r = 0; r < points_[i].rows.size(); ++r) {
-        points_[i].rows[r].bounds.update_multiplier(values_[i].c[static_cast<Eigen::Index>(r)],
-                                                    places_.mu);
-      }
-    }
-    for (LimitConstraint& limit : limits_) {
-      const double mu = group_of(limit).mu;
-      for (std::size_t r = 0; mu > 0 && r < limit.rows.size(); ++r) {
-        limit.rows[r].update_multiplier(limit.value(spline_.control, r), mu);
-      }
-    }
-  }
-
-  /// Adds a constraint point at the worst dip of every interval that has one.
-  bool add_dips() {
-    const double accepted = required_ - 0.5 * input_.options.clearance_epsilon;
-    const auto dips = find_dips(input_.task, spline_, checker_, accepted, kSamplesBetween);
-    for (const Dip& dip : dips) {
-      points_.push_back(
-          constraint_between(input_.task, dip.interval, dip.time, kBetweenShare, spline_.basis));
-    }
-    return !dips.empty();
-  }
-
-  ObjectiveTerms terms() const {
-    return objective_terms(weights_, input_.robot, input_.task, spline_);
-  }
-
-  Refined finish(bool feasible, const std::string& termination) {
-    const ObjectiveTerms final_terms = terms();
-    statistics_.run = true;
-    statistics_.rounds = std::min(round_ + 1, input_.options.max_rounds);
-    statistics_.control_points = spline_.basis.control_count();
-    statistics_.constraint_points = static_cast<int>(points_.size());
-    statistics_.max_violation = places_.violation;
-    statistics_.termination = termination;
-    statistics_.objective = final_terms.total();
-    statistics_.terms = {{"joint_motion", initial_.joint_motion, final_terms.joint_motion},
-                         {"acceleration", initial_.acceleration, final_terms.acceleration},
-                         {"jerk", initial_.jerk, final_terms.jerk},
-                         {"euler", initial_.euler, final_terms.euler}};
+  /// Of the waypoints and the knots between them.
+  std::vector<double> row_times() const {
     std::vector<double> times;
     for (const Waypoint& waypoint : input_.task.waypoints) times.push_back(waypoint.time);
-    return {spline_.sampled_at(times), feasible, statistics_};
+    const std::size_t waypoints = times.size();
+    for (const double t : lagrangian_.spline().basis.breakpoints()) {
+      const auto end = times.begin() + static_cast<std::ptrdiff_t>(waypoints);
+      if (!std::binary_search(times.begin(), end, t)) times.push_back(t);
+    }
+    std::sort(times.begin(), times.end());
+    return times;
   }
 
   const RefinementInput& input_;
+  const Stop& stop_;
+  double duration_;
+  double turning_;
   ObjectiveWeights weights_;
   ClearanceChecker checker_;
-  double required_;
-  double spacing_;
-  Spline spline_;
+  Collocation collocation_;
+  std::vector<std::vector<double>> levels_;
   ObjectiveTerms initial_;
-  Group places_;  ///< constraints in m and rad
-  Group rates_;   ///< shares of velocity, acceleration and jerk limits
-  int round_ = 0;
-  std::vector<PointConstraint> points_;
-  std::vector<LimitConstraint> limits_;
-  std::vector<SpanFactor> span_factors_;
-  std::vector<EulerPoint> euler_points_;
-  std::vector<PointValues> values_;
-  RefineStatistics statistics_;
+  AugmentedLagrangian lagrangian_;
+  bool feasible_ = false;
 };
 
 bool is_better(const Refined& a, const Refined& b) {
@@ -314,10 +231,12 @@ double initial_objective(const Refined& refined) {
 }  // namespace
 
 Refined refine(const RefinementInput& input, const JointPath& seed) {
+  const Stop stop(input.monitor);
   Refined best;
   int iterations = 0, evaluations = 0, rounds = 0;
   for (const double share : kStartShares) {
-    Refined attempt = Attempt(input, seed, share).run();
+    Refined attempt = Attempt(input, seed, share, stop).run();
+    throw_if_cancelled(input.monitor);
     iterations += attempt.statistics.iterations;
     evaluations += attempt.statistics.evaluations;
     rounds += attempt.statistics.rounds;

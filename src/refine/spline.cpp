@@ -107,18 +107,38 @@ Trajectory Spline::sampled_at(const std::vector<double>& times) const {
   return {times, position, velocity, acceleration};
 }
 
-std::vector<double> choose_breakpoints(const std::vector<double>& times, double spacing) {
-  std::vector<double> breakpoints = {times.front()};
-  for (const double t : times) {
-    if (t - breakpoints.back() >= spacing * (1 - 1e-9)) breakpoints.push_back(t);
+namespace {
+
+/// The polar form of the curve's piece on span [knot(k), knot(k + 1)] at five arguments (Ramshaw
+/// 1989; de Boor's recursion with another argument in each step).
+JointVector polar_form(const Spline& spline, int k, const SplineBasis& arguments, int first) {
+  constexpr int p = SplineBasis::kDegree;
+  Eigen::Matrix<double, Eigen::Dynamic, SplineBasis::kLocal, 0, kMaxJoints, SplineBasis::kLocal>
+      points = spline.control.middleCols<SplineBasis::kLocal>(k - p);
+  for (int r = 1; r <= p; ++r) {
+    for (int j = p; j >= r; --j) {
+      const double from = spline.basis.knot(k - p + j), to = spline.basis.knot(k + 1 + j - r);
+      const double share = (arguments.knot(first + r - 1) - from) / (to - from);
+      points.col(j) = (1 - share) * points.col(j - 1) + share * points.col(j);
+    }
   }
-  if (breakpoints.back() < times.back()) {
-    const bool crowded =
-        breakpoints.size() > 1 && times.back() - breakpoints.back() < 0.5 * spacing;
-    if (crowded) breakpoints.pop_back();
-    breakpoints.push_back(times.back());
+  return points.col(p);
+}
+
+}  // namespace
+
+// Control point i of the finer curve is the polar form of any of its pieces in the support of basis
+// function i, at the knots i+1 .. i+5.
+Spline with_breakpoints(const Spline& spline, std::vector<double> breakpoints) {
+  Spline finer{SplineBasis(std::move(breakpoints)), {}};
+  finer.control.resize(spline.control.rows(), finer.basis.control_count());
+  for (int i = 0; i < finer.basis.control_count(); ++i) {
+    int piece = i;
+    while (finer.basis.knot(piece) >= finer.basis.knot(piece + 1)) ++piece;
+    const int k = spline.basis.at(finer.basis.knot(piece)).first + SplineBasis::kDegree;
+    finer.control.col(i) = polar_form(spline, k, finer.basis, i + 1);
   }
-  return breakpoints;
+  return finer;
 }
 
 Spline fit_spline(const JointPath& path, std::vector<double> breakpoints, double smoothing) {

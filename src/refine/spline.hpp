@@ -26,6 +26,8 @@ class SplineBasis {
   int control_count() const { return static_cast<int>(breakpoints_.size()) + kDegree - 1; }
   int span_count() const { return static_cast<int>(breakpoints_.size()) - 1; }
   const std::vector<double>& breakpoints() const { return breakpoints_; }
+  /// Knot i, i = 0 .. control_count() + kDegree; the ends are kLocal-fold.
+  double knot(int i) const { return knots_[static_cast<std::size_t>(i)]; }
 
   Values at(double t) const;
 
@@ -33,7 +35,6 @@ class SplineBasis {
   std::vector<double> derivative_weights(int derivative, int i) const;
 
  private:
-  double knot(int i) const { return knots_[static_cast<std::size_t>(i)]; }
   std::vector<double> breakpoints_;
   std::vector<double> knots_;
 };
@@ -50,9 +51,9 @@ struct Spline {
   Trajectory sampled_at(const std::vector<double>& times) const;
 };
 
-/// Breakpoints chosen among `times` so that neighbours are at least `spacing` apart where possible;
-/// the first and the last time are kept.
-std::vector<double> choose_breakpoints(const std::vector<double>& times, double spacing);
+/// The same curve with more breakpoints.
+/// @pre `breakpoints` holds those of the spline
+Spline with_breakpoints(const Spline& spline, std::vector<double> breakpoints);
 
 /// Least-squares fit to a path; a trace of acceleration and jerk settles what the path leaves open.
 /// Wiggles of the path that are shorter than about `smoothing` (s) are ironed out.

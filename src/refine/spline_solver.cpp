@@ -3,82 +3,124 @@
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
-#include "cancelled.hpp"
+#include <algorithm>
+#include <memory>
+
+#include "refine/batch_cost.hpp"
 #include "refine/control_point_costs.hpp"
 
 namespace wristwise {
 
 namespace {
 
-class StopWhenCancelled final : public ceres::IterationCallback {
+constexpr int kLocal = SplineBasis::kLocal;
+constexpr int kAtRest = 3;  ///< control points that are one where velocity and acceleration vanish
+
+class StopOnRequest final : public ceres::IterationCallback {
  public:
-  explicit StopWhenCancelled(const Monitor& monitor) : monitor_(monitor) {}
+  explicit StopOnRequest(const Stop& stop) : stop_(stop) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return monitor_.cancelled() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    return stop_.requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
   }
 
  private:
-  const Monitor& monitor_;
+  const Stop& stop_;
 };
 
-std::vector<double*> blocks_from(Spline& spline, int first, int count) {
-  std::vector<double*> blocks;
-  for (int k = 0; k < count; ++k) blocks.push_back(spline.control.col(first + k).data());
-  return blocks;
-}
+/// The residuals, a batch for each span.
+class Batches {
+ public:
+  explicit Batches(const AugmentedProblem& problem, int spans) : problem_(problem) {
+    for (int span = 0; span < spans; ++span) {
+      batches_.push_back(std::make_unique<BatchCost>(problem.robot.joint_count()));
+    }
+    for (const ObjectiveRow& row : problem.objective_rows) {
+      add(objective_cost(row, problem.weights), row.first);
+    }
+    for (const EulerPoint& point : problem.euler_points) {
+      add(euler_cost(problem.robot, point), point.basis.first);
+    }
+    for (const SingularityPoint& point : problem.singularity_points) {
+      add(singularity_cost(problem.robot, point), point.basis.first);
+    }
+    for (const PointConstraint& point : problem.points) {
+      if (point.rows.empty()) continue;
+      add(point_cost(problem.robot, problem.checker, point, problem.mu), point.basis.first);
+    }
+    for (const LimitConstraint& limit : problem.limits) {
+      const double mu = limit.derivative == 0 ? problem.mu : problem.rate_mu;
+      if (mu > 0) add(limit_cost(limit, problem.robot.joint_count(), mu), limit.first);
+    }
+  }
 
-void add_residuals(const AugmentedProblem& augmented, Spline& spline, ceres::Problem& problem) {
-  constexpr int kLocal = SplineBasis::kLocal;
-  for (std::size_t span = 0; span < augmented.span_factors.size(); ++span) {
-    problem.AddResidualBlock(span_cost(augmented.span_factors[span], augmented.joint_weight),
-                             nullptr, blocks_from(spline, static_cast<int>(span), kLocal));
+  void hand_over(Spline& spline, ceres::Problem& problem) {
+    for (std::size_t span = 0; span < batches_.size(); ++span) {
+      std::array<int, kLocal> slots{};
+      const std::vector<double*> blocks = blocks_of(spline, static_cast<int>(span), slots);
+      batches_[span]->merge(slots);
+      problem.AddResidualBlock(batches_[span].release(), nullptr, blocks);
+    }
   }
-  for (const EulerPoint& point : augmented.euler_points) {
-    problem.AddResidualBlock(euler_cost(augmented.robot, point), nullptr,
-                             blocks_from(spline, point.basis.first, kLocal));
+
+  /// The control point that stands for control point k.
+  int representative(int k, int count) const {
+    if (problem_.rest_at_start && k < kAtRest) return 0;
+    if (problem_.rest_at_end && k >= count - kAtRest) return count - 1;
+    return k;
   }
-  for (const PointConstraint& point : augmented.points) {
-    if (point.rows.empty()) continue;
-    problem.AddResidualBlock(point_cost(augmented.robot, augmented.checker, point, augmented.mu),
-                             nullptr, blocks_from(spline, point.basis.first, kLocal));
+
+ private:
+  void add(ceres::CostFunction* cost, int first_control) {
+    const int span = std::min(first_control, static_cast<int>(batches_.size()) - 1);
+    batches_[static_cast<std::size_t>(span)]->add(cost, first_control - span);
   }
-  for (const LimitConstraint& limit : augmented.limits) {
-    const double mu = limit.derivative == 0 ? augmented.mu : augmented.rate_mu;
-    if (mu == 0) continue;
-    problem.AddResidualBlock(
-        limit_cost(limit, augmented.robot.joint_count(), mu), nullptr,
-        blocks_from(spline, limit.first, static_cast<int>(limit.weights.size())));
+
+  std::vector<double*> blocks_of(Spline& spline, int span,
+                                 std::array<int, kLocal>& slots) const {
+    std::vector<double*> blocks;
+    for (int k = 0; k < kLocal; ++k) {
+      double* block =
+          spline.control.col(representative(span + k, spline.basis.control_count())).data();
+      if (blocks.empty() || blocks.back() != block) blocks.push_back(block);
+      slots[static_cast<std::size_t>(k)] = static_cast<int>(blocks.size()) - 1;
+    }
+    return blocks;
   }
-}
+
+  const AugmentedProblem& problem_;
+  std::vector<std::unique_ptr<BatchCost>> batches_;
+};
 
 }  // namespace
 
-InnerSummary minimise(const AugmentedProblem& augmented, Spline& spline, int max_iterations,
-                      double function_tolerance, const Monitor& monitor) {
+InnerSummary minimise(const AugmentedProblem& augmented, Spline& spline, const InnerOptions& inner,
+                      const Stop& stop) {
+  const int count = spline.basis.control_count();
   ceres::Problem problem;
-  add_residuals(augmented, spline, problem);
-  StopWhenCancelled stop(monitor);
+  Batches batches(augmented, spline.basis.span_count());
+  batches.hand_over(spline, problem);
+  StopOnRequest stop_on_request(stop);
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  options.max_num_iterations = max_iterations;
-  options.function_tolerance = function_tolerance;
+  options.max_num_iterations = inner.max_iterations;
+  options.function_tolerance = inner.function_tolerance;
   options.gradient_tolerance = 1e-14;
   options.parameter_tolerance = 1e-12;
+  options.initial_trust_region_radius = inner.trust_region;
   // Rows of rates are stiff (a derivative of order k weighs a control point by 1 / span^k) and
   // switch on and off: strictly falling steps stall among them.
   options.use_nonmonotonic_steps = augmented.rate_mu > 0;
   options.num_threads = 1;
   options.logging_type = ceres::SILENT;
-  options.callbacks.push_back(&stop);
+  options.callbacks.push_back(&stop_on_request);
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  throw_if_cancelled(monitor);
-  InnerSummary inner;
-  inner.iterations = static_cast<int>(summary.iterations.size());
-  inner.evaluations = summary.num_residual_evaluations;
-  inner.converged = summary.termination_type == ceres::CONVERGENCE;
-  inner.message = summary.message;
-  return inner;
+  if (getenv("WW_TRACE")) fprintf(stderr,"  inner it %zu ok %d/%d mu %.3g rmu %.3g pre %.4f res %.4f jac %.4f lin %.4f tot %.4f nres %d %s\n", summary.iterations.size(), summary.num_successful_steps, summary.num_unsuccessful_steps, augmented.mu, augmented.rate_mu, summary.preprocessor_time_in_seconds, summary.residual_evaluation_time_in_seconds, summary.jacobian_evaluation_time_in_seconds, summary.linear_solver_time_in_seconds, summary.total_time_in_seconds, summary.num_residuals, summary.message.c_str());
+  for (int k = 0; k < count; ++k) {
+    spline.control.col(k) = spline.control.col(batches.representative(k, count)).eval();
+  }
+  return {static_cast<int>(summary.iterations.size()), summary.num_residual_evaluations,
+          summary.termination_type == ceres::CONVERGENCE};
 }
 
 }  // namespace wristwise

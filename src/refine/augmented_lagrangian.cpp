@@ -1,0 +1,201 @@
+#include "refine/augmented_lagrangian.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wristwise {
+
+namespace {
+
+constexpr double kGrowth = 10;     ///< of mu in a round that gains too little
+constexpr double kMuRange = 1e12;  ///< largest mu / first mu
+constexpr double kFloor = 1e-4;    ///< m and rad; a violation that stalls below this wants knots
+constexpr double kRateShare = 0.1;       ///< first mu of rates, as a share of the objective
+constexpr double kRateTolerance = 5e-4;  ///< of rates, half the margin they are kept by
+constexpr double kBand = 0.02;           ///< m; pairs that are nearer than this get a constraint
+constexpr int kStalledRounds = 2;
+constexpr int kPatience = 2;  ///< rounds in which the inner solver may run out of iterations
+
+}  // namespace
+
+void AugmentedLagrangian::Group::raise(double value) { violation = std::max(violation, value); }
+
+/// After a round that left a violation: larger mu where it gained too little. False where that does
+/// not help any more.
+bool AugmentedLagrangian::Group::tighten() {
+  const bool stalls = violation > 0.5 * best_violation;
+  stalled = stalls && violation < kFloor ? stalled + 1 : 0;
+  if (mu >= kMuRange * first_mu || stalled >= kStalledRounds) return false;
+  if (violation > 0.1 * best_violation) mu *= kGrowth;
+  best_violation = std::min(best_violation, violation);
+  return true;
+}
+
+void AugmentedLagrangian::Group::restart() {
+  best_violation = std::numeric_limits<double>::infinity();
+  stalled = 0;
+}
+
+AugmentedLagrangian::AugmentedLagrangian(const RefinementInput& input,
+                                         const ObjectiveWeights& weights,
+                                         ClearanceChecker& checker, Spline start, double first_mu)
+    : input_(input),
+      weights_(weights),
+      checker_(checker),
+      required_(input.clearance->clearance() + input.options.clearance_epsilon),
+      spline_(std::move(start)) {
+  places_.first_mu = places_.mu = first_mu;
+  restart();
+  use_breakpoints(spline_.basis.breakpoints());
+}
+
+void AugmentedLagrangian::restart() {
+  places_.restart();
+  rates_.restart();
+}
+
+void AugmentedLagrangian::use_breakpoints(std::vector<double> breakpoints) {
+  if (breakpoints.size() != spline_.basis.breakpoints().size())
+    spline_ = with_breakpoints(spline_, std::move(breakpoints));
+  objective_rows_ = objective_rows(weights_, spline_.basis);
+  euler_points_ = euler_points(weights_, input_.task, spline_.basis);
+  singularity_points_ = singularity_points(weights_, spline_.basis);
+  limits_ = limit_constraints(input_.robot, spline_.basis);
+  for (PointConstraint& point : points_) point.basis = spline_.basis.at(point.time);
+  restart();
+}
+
+Ending AugmentedLagrangian::solve(const Accuracy& accuracy, const Stop& stop) {
+  double last_objective = std::numeric_limits<double>::infinity();
+  int unsettled = 0;
+  for (int round = 0; round < accuracy.rounds; ++round) {
+    ++rounds_;
+    add_near_pairs_everywhere();
+    const bool settled_inside = minimise_once(accuracy.inner, stop);
+    if (stop.requested()) return Ending::stopped;
+    measure();
+    const double objective = terms().total();
+    if (getenv("WW_TRACE")) fprintf(stderr,"round %d spans %d points %zu J %.8g viol %.3g rate %.3g mu %.3g\n", round, spline_.basis.span_count(), points_.size(), objective, places_.violation, rates_.violation, places_.mu);
+    const bool settled = settled_inside && std::abs(objective - last_objective) <=
+                                               accuracy.settled * objective;
+    last_objective = objective;
+    const bool holds = places_.violation <= accuracy.violation && rates_hold();
+    if (holds && settled) return Ending::converged;
+    update_multipliers();
+    unsettled = settled_inside ? 0 : unsettled + 1;
+    const bool is_due = settled_inside || unsettled > kPatience;
+    if (is_due && !tighten(accuracy.violation, objective))
+      return places_.violation <= kFloor ? Ending::stalled : Ending::unmet;
+  }
+  return Ending::out_of_rounds;
+}
+
+void AugmentedLagrangian::add_near_pairs_everywhere() {
+  for (PointConstraint& point : points_) {
+    add_near_pairs(point, checker_, spline_.evaluate(point.time), required_, kBand);
+  }
+}
+
+bool AugmentedLagrangian::minimise_once(double function_tolerance, const Stop& stop) {
+  const AugmentedProblem problem{input_.robot,
+                                 checker_,
+                                 weights_,
+                                 objective_rows_,
+                                 euler_points_,
+                                 singularity_points_,
+                                 points_,
+                                 limits_,
+                                 places_.mu,
+                                 rates_.mu,
+                                 input_.task.rest_at_start,
+                                 input_.task.rest_at_end};
+  InnerOptions options;
+  options.max_iterations = input_.options.max_iterations;
+  options.function_tolerance = function_tolerance;
+  const InnerSummary inner = minimise(problem, spline_, options, stop);
+  iterations_ += inner.iterations;
+  evaluations_ += inner.evaluations;
+  return inner.converged;
+}
+
+/// Finds the largest violations; keeps the values for the update of the multipliers.
+void AugmentedLagrangian::measure() {
+  places_.violation = rates_.violation = 0;
+  values_.resize(points_.size());
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const PointConstraint& point = points_[i];
+    evaluate(point, checker_, spline_.evaluate(point.time), places_.mu * point.weight, false,
+             values_[i]);
+    for (std::size_t r = 0; r < point.rows.size(); ++r) {
+      places_.raise(point.rows[r].bounds.violation(values_[i].c[static_cast<Eigen::Index>(r)]));
+    }
+  }
+  for (const LimitConstraint& limit : limits_) {
+    for (std::size_t r = 0; r < limit.rows.size(); ++r) {
+      group_of(limit).raise(limit.rows[r].violation(limit.value(spline_.control, r)));
+    }
+  }
+}
+
+bool AugmentedLagrangian::rates_hold() const { return rates_.violation <= kRateTolerance; }
+
+/// Larger mu where the violation does not fall; false if that does not help any more. Rates count
+/// once the places all but hold: pressed into their limits earlier, they would lock a curve that
+/// still has to find its place.
+bool AugmentedLagrangian::tighten(double violation, double objective) {
+  if (!rates_hold()) {
+    if (rates_.mu > 0) {
+      if (!rates_.tighten()) return false;
+    } else if (places_.violation <= kFloor) {
+      rates_.first_mu = rates_.mu = kRateShare * objective;
+    }
+  }
+  return places_.violation <= violation || places_.tighten();
+}
+
+void AugmentedLagrangian::update_multipliers() {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    for (std::size_t r = 0; r < points_[i].rows.size(); ++r) {
+      points_[i].rows[r].bounds.update_multiplier(values_[i].c[static_cast<Eigen::Index>(r)],
+                                                  places_.mu * points_[i].weight);
+    }
+  }
+  for (LimitConstraint& limit : limits_) {
+    const double mu = group_of(limit).mu;
+    for (std::size_t r = 0; mu > 0 && r < limit.rows.size(); ++r) {
+      limit.rows[r].update_multiplier(limit.value(spline_.control, r), mu);
+    }
+  }
+}
+
+std::vector<double> AugmentedLagrangian::violated_times(double tolerance) const {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    for (std::size_t r = 0; r < points_[i].rows.size(); ++r) {
+      const double c = values_[i].c[static_cast<Eigen::Index>(r)];
+      if (points_[i].rows[r].bounds.violation(c) > tolerance) times.push_back(points_[i].time);
+    }
+  }
+  for (const LimitConstraint& limit : limits_) {
+    for (std::size_t r = 0; r < limit.rows.size(); ++r) {
+      const double allowed = limit.derivative == 0 ? tolerance : kRateTolerance;
+      if (limit.rows[r].violation(limit.value(spline_.control, r)) <= allowed) continue;
+      const int last = limit.first + static_cast<int>(limit.weights.size()) - 1;
+      times.push_back(0.5 * (spline_.basis.knot(limit.first + SplineBasis::kDegree - 2) +
+                             spline_.basis.knot(last + 3)));
+    }
+  }
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+ObjectiveTerms AugmentedLagrangian::terms() const {
+  return objective_terms(weights_, input_.robot, input_.task, spline_);
+}
+
+AugmentedLagrangian::Group& AugmentedLagrangian::group_of(const LimitConstraint& limit) {
+  return limit.derivative == 0 ? places_ : rates_;
+}
+
+}  // namespace wristwise

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <vector>
+
+#include "refine/limit_constraint.hpp"
+#include "refine/objective.hpp"
+#include "refine/point_constraint.hpp"
+#include "refine/refinement.hpp"
+#include "refine/spline_solver.hpp"
+
+namespace wristwise {
+
+/// How far a solution is to be carried.
+struct Accuracy {
+  double violation = 5e-7;  ///< m and rad, of the constraints at their points
+  double settled = 1e-4;    ///< relative change of the objective between rounds
+  double inner = 1e-8;      ///< relative change of the cost at which the inner solver stops
+  int rounds = 30;
+};
+
+enum class Ending {
+  converged,
+  stalled,        ///< a small violation does not fall any more: the curve has too few knots
+  unmet,          ///< a large violation does not fall any more
+  out_of_rounds,
+  stopped,        ///< on request
+};
+
+/// The augmented Lagrangian (F16) of a curve, its constraint points and its limits.
+class AugmentedLagrangian {
+ public:
+  AugmentedLagrangian(const RefinementInput& input, const ObjectiveWeights& weights,
+                      ClearanceChecker& checker, Spline start, double first_mu);
+  void set_first_mu(double mu) { places_.first_mu = places_.mu = mu; }
+
+  /// Rounds of inner minimisation and multiplier updates, until the accuracy is reached.
+  Ending solve(const Accuracy& accuracy, const Stop& stop);
+
+  /// The same curve over more breakpoints, the same points; limits start anew.
+  void use_breakpoints(std::vector<double> breakpoints);
+
+  const Spline& spline() const { return spline_; }
+  std::vector<PointConstraint>& points() { return points_; }
+  const std::vector<LimitConstraint>& limits() const { return limits_; }
+  /// Points were added or exchanged: what was reached so far says nothing about these.
+  void restart();
+
+  ObjectiveTerms terms() const;
+  double violation() const { return places_.violation; }    ///< m, rad
+  double rate_violation() const { return rates_.violation; }  ///< shares of the limits
+  bool rates_hold() const;
+  /// Times (s) of the points and control points that are violated by more than `tolerance`.
+  std::vector<double> violated_times(double tolerance) const;
+
+  int rounds() const { return rounds_; }
+  int iterations() const { return iterations_; }
+  int evaluations() const { return evaluations_; }
+
+ private:
+  /// Constraints that share a unit, and so a penalty parameter.
+  struct Group {
+    double first_mu = 0;
+    double mu = 0;
+    double violation = 0;  ///< largest, in the last round
+    double best_violation = 0;
+    int stalled = 0;
+
+    void raise(double value);
+    bool tighten();
+    void restart();
+  };
+
+  bool minimise_once(double function_tolerance, const Stop& stop);
+  void add_near_pairs_everywhere();
+  void measure();
+  bool tighten(double violation, double objective);
+  void update_multipliers();
+  Group& group_of(const LimitConstraint& limit);
+
+  const RefinementInput& input_;
+  const ObjectiveWeights& weights_;
+  ClearanceChecker& checker_;
+  double required_;  ///< m, clearance
+  Spline spline_;
+  Group places_;  ///< constraints in m and rad
+  Group rates_;   ///< shares of velocity, acceleration and jerk limits
+  std::vector<PointConstraint> points_;
+  std::vector<LimitConstraint> limits_;
+  std::vector<ObjectiveRow> objective_rows_;
+  std::vector<EulerPoint> euler_points_;
+  std::vector<SingularityPoint> singularity_points_;
+  std::vector<PointValues> values_;
+  int rounds_ = 0, iterations_ = 0, evaluations_ = 0;
+};
+
+}  // namespace wristwise
