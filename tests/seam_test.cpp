@@ -7,44 +7,19 @@
 #include <random>
 
 #include "invalid_input.hpp"
+#include "seam_samples.hpp"
 #include "task/seam_builder.hpp"
 #include "wristwise/robot.hpp"
 
 namespace wristwise {
 namespace {
 
+using test::at;
 using test::invalid_input;
+using test::line;
 using test::says;
 
 constexpr double kPi = 3.14159265358979323846;
-
-/// Three sliding axes: the TCP's position is the joint vector.
-Robot gantry() {
-  Robot::Parts parts;
-  parts.name = "gantry";
-  parts.base_link = "base";
-  parts.tip_link = "tip";
-  for (int i = 0; i < 3; ++i) {
-    Joint joint;
-    joint.name = std::string(1, static_cast<char>('x' + i));
-    joint.type = JointType::prismatic;
-    joint.axis = Eigen::Vector3d::Unit(i);
-    joint.lower = -2;
-    joint.upper = 2;
-    joint.max_velocity = 0.5 * (i + 1);
-    joint.max_acceleration = joint.max_jerk = std::numeric_limits<double>::infinity();
-    parts.joints.push_back(joint);
-  }
-  return Robot(parts);
-}
-
-Pose at(double x, double y, double z) {
-  Pose pose = Pose::Identity();
-  pose.translation() << x, y, z;
-  return pose;
-}
-
-Segment line(const Pose& from, const Pose& to) { return {LineSegment{from, to}, {}, "line"}; }
 
 SeamDescription describe(std::vector<Segment> segments) {
   SeamDescription description;
@@ -121,7 +96,7 @@ TEST(SeamBuilder, SpacingIsRoundedToWholeIntervalsDespiteRoundOff) {
   for (const auto& [length, spacing, expected] : cases) {
     SeamDescription description = describe({line(at(0.1, 0, 0), at(0.1 + length, 0, 0))});
     description.spacing = spacing;
-    const Task task = build_task(gantry(), description);
+    const Task task = build_task(test::sliding_robot(), description);
     ASSERT_EQ(task.waypoints.size(), expected) << length << " / " << spacing;
     for (std::size_t i = 0; i < expected; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(expected - 1);
@@ -148,7 +123,7 @@ TEST(SeamBuilder, WaypointCountIsExactAndKeepsSegmentEnds) {
     }
     SeamDescription description = describe(segments);
     description.waypoints = count + 1 + trial % 37;
-    const Task task = build_task(gantry(), description);
+    const Task task = build_task(test::sliding_robot(), description);
     ASSERT_EQ(task.waypoints.size(), static_cast<std::size_t>(*description.waypoints));
     std::size_t next = 0;
     for (std::size_t segment = 0; segment < lengths.size(); ++segment) {
@@ -172,7 +147,8 @@ TEST(SeamBuilder, TooFewWaypointsForTheSegments) {
   SeamDescription description =
       describe({line(at(0, 0, 0), at(1, 0, 0)), line(at(1, 0, 0), at(1, 1, 0))});
   description.waypoints = 2;
-  EXPECT_TRUE(says(invalid_input([&] { build_task(gantry(), description); }), "at least 3"));
+  EXPECT_TRUE(
+      says(invalid_input([&] { build_task(test::sliding_robot(), description); }), "at least 3"));
 }
 
 TEST(SeamBuilder, CornerCarriesTheFrameOfTheSegmentThatEndsThere) {
@@ -182,7 +158,7 @@ TEST(SeamBuilder, CornerCarriesTheFrameOfTheSegmentThatEndsThere) {
   second.tolerance.upper[2] = 0.25;
   SeamDescription description = describe({line(at(0, 0, 0), at(1, 0, 0)), second});
   description.spacing = 0.5;
-  const Task task = build_task(gantry(), description);
+  const Task task = build_task(test::sliding_robot(), description);
   ASSERT_EQ(task.waypoints.size(), 5u);
   EXPECT_TRUE(task.waypoints[2].frame.isApprox(at(1, 0, 0), 1e-15));
   EXPECT_TRUE(task.seam.frame_at(task.waypoints[2].time).isApprox(at(1, 0, 0), 1e-15));
@@ -198,9 +174,10 @@ TEST(SeamBuilder, GapsAreMeasured) {
   SeamDescription description =
       describe({line(at(0, 0, 0), at(1, 0, 0)), line(at(1, 2e-6, 0), at(1, 1, 0))});
   description.spacing = 0.5;
-  EXPECT_TRUE(says(invalid_input([&] { build_task(gantry(), description); }), "2e-06 m"));
+  EXPECT_TRUE(
+      says(invalid_input([&] { build_task(test::sliding_robot(), description); }), "2e-06 m"));
   std::get<LineSegment>(description.segments[1].shape).from = at(1, 5e-7, 0);
-  EXPECT_EQ(build_task(gantry(), description).waypoints.size(), 5u);
+  EXPECT_EQ(build_task(test::sliding_robot(), description).waypoints.size(), 5u);
 }
 
 TEST(SeamBuilder, RejectsWhatMakesNoSeam) {
@@ -208,7 +185,7 @@ TEST(SeamBuilder, RejectsWhatMakesNoSeam) {
     SeamDescription description = describe({std::move(segment)});
     description.spacing = 0.1;
     description.speed = speed;
-    return invalid_input([&] { build_task(gantry(), description); });
+    return invalid_input([&] { build_task(test::sliding_robot(), description); });
   };
   const Pose start = at(1, 0, 0);
   EXPECT_TRUE(says(message(line(start, start)), "repeated waypoint"));
@@ -229,14 +206,14 @@ TEST(SeamBuilder, TimesOfPosesAreKept) {
       {PoseListSegment{{at(0, 0, 0), at(1, 0, 0), at(1, 1, 0)}, {5, 6, 9}, {"1", "2", "3"}},
        {},
        "poses"}};
-  const Task task = build_task(gantry(), description);
+  const Task task = build_task(test::sliding_robot(), description);
   ASSERT_EQ(task.waypoints.size(), 3u);
   EXPECT_EQ(task.waypoints[0].time, 5);
   EXPECT_EQ(task.waypoints[1].time, 6);
   EXPECT_EQ(task.waypoints[2].time, 9);
   EXPECT_TRUE(task.seam.frame_at(7.5).isApprox(at(1, 0.5, 0), 1e-15));
   description.spacing = 0.25;
-  EXPECT_EQ(build_task(gantry(), description).waypoints.size(), 9u);
+  EXPECT_EQ(build_task(test::sliding_robot(), description).waypoints.size(), 9u);
 }
 
 void expect_exactly(const Waypoint& waypoint, const JointVector& q) {
@@ -252,7 +229,7 @@ TEST(SeamBuilder, JointWaypointsAreReachedByMoves) {
                 {JointListSegment{{posture(1.001, 1.2, 0.3)}, {"3"}}, {}, "j"}});
   description.speed = 2;
   description.spacing = 0.5;
-  const Task task = build_task(gantry(), description);
+  const Task task = build_task(test::sliding_robot(), description);
   ASSERT_EQ(task.waypoints.size(), 6u);
   expect_exactly(task.waypoints[0], posture(0, 0, 0));
   expect_exactly(task.waypoints[1], posture(0.001, 1, 0));
@@ -274,7 +251,7 @@ TEST(SeamBuilder, JointWaypointsMustBePossible) {
   const auto message = [](const std::vector<JointBox>& postures) {
     SeamDescription description =
         describe({{JointListSegment{postures, {"first", "second"}}, {}, "joints"}});
-    return invalid_input([&] { build_task(gantry(), description); });
+    return invalid_input([&] { build_task(test::sliding_robot(), description); });
   };
   EXPECT_TRUE(says(message({posture(0, 0, 0), posture(0, 0, 0)}), "second: repeated waypoint"));
   EXPECT_TRUE(says(message({posture(0, 2.5, 0), posture(0, 0, 0)}), "y = 2.5"));
@@ -315,7 +292,7 @@ TEST(SeamBuilder, RangedJointWaypointsAreTimedByTheirNominalPosture) {
                 line(at(0, 1, 1.5), at(1, 1, 1.5))});
   description.speed = 4;
   description.spacing = 1;
-  const Task task = build_task(gantry(), description);
+  const Task task = build_task(test::sliding_robot(), description);
   ASSERT_EQ(task.waypoints.size(), 5u);
   const JointBox& box = *task.waypoints[1].joints;
   EXPECT_EQ(box.lower, posture(-0.1, 0.8, 1.8));
@@ -338,7 +315,7 @@ TEST(Task, WaypointsAtOtherTimes) {
       describe({line(at(0, 0, 0), at(1, 0, 0)), line(at(1, 0, 0), at(1, 1, 0))});
   description.segments[1].tolerance.upper[0] = 0.5;
   description.spacing = 0.5;
-  const Task task = build_task(gantry(), description);
+  const Task task = build_task(test::sliding_robot(), description);
   const std::vector<double> times = {-5e-7, 30, 100, 130, 200 + 5e-7};
   const Task other = task.with_waypoints_at(times);
   ASSERT_EQ(other.waypoints.size(), times.size());
@@ -359,7 +336,7 @@ TEST(Task, JointWaypointsStayWhenTimesAreGiven) {
       describe({{JointListSegment{{posture(0, 0, 0)}, {"1"}}, {}, "joints"},
                 line(at(0, 1, 0), at(1, 1, 0))});
   description.spacing = 0.5;
-  const Task task = build_task(gantry(), description);
+  const Task task = build_task(test::sliding_robot(), description);
   expect_exactly(task.with_waypoints_at({0, 100, 120}).waypoints[0], posture(0, 0, 0));
   EXPECT_TRUE(says(invalid_input([&] { task.with_waypoints_at({0, 50, 100}); }), "move"));
   EXPECT_TRUE(says(invalid_input([&] { task.with_waypoints_at({100, 150}); }), "left out"));

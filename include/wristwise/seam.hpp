@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,12 +11,21 @@
 
 namespace wristwise {
 
+/// A way from one frame to another that is neither straight nor a circular arc.
+class SeamCurve {
+ public:
+  virtual ~SeamCurve() = default;
+  virtual double length() const = 0;                 ///< m, of the TCP's path
+  virtual Pose frame_at(double fraction) const = 0;  ///< at a share of its time, in [0, 1]
+};
+
 /// One piece of the nominal TCP path, run in a given time.
 struct SeamPiece {
   enum class Kind {
-    line,  ///< straight, turning at a constant rate about one axis
-    arc,   ///< the first pose turned rigidly about an axis
-    move,  ///< to or from a joint waypoint: no path is prescribed between its ends
+    line,   ///< straight, turning at a constant rate about one axis
+    arc,    ///< the first pose turned rigidly about an axis
+    move,   ///< to or from a joint waypoint: no path is prescribed between its ends
+    curve,  ///< a rounded corner, a run-in or a run-out
   };
   Kind kind = Kind::line;
   Pose from = Pose::Identity();
@@ -23,6 +33,7 @@ struct SeamPiece {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< arc: a point on its axis, base frame, m
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< arc: unit, base frame
   double angle = 0;                                  ///< arc: rad, right-handed
+  std::shared_ptr<const SeamCurve> curve;            ///< curve: not null
   double start_time = 0;                             ///< s
   double end_time = 0;                               ///< s
 

@@ -37,6 +37,7 @@ Pose straight_frame(const SeamPiece& piece, double fraction) {
 }  // namespace
 
 double SeamPiece::length() const {
+  if (kind == Kind::curve) return curve->length();
   if (kind != Kind::arc) return (to.translation() - from.translation()).norm();
   const Eigen::Vector3d arm = from.translation() - center;
   return std::abs(angle) * axis.cross(arm).norm();
@@ -45,6 +46,7 @@ double SeamPiece::length() const {
 Pose SeamPiece::frame_at(double fraction) const {
   if (fraction <= 0) return from;
   if (fraction >= 1) return to;
+  if (kind == Kind::curve) return curve->frame_at(fraction);
   return kind == Kind::arc ? turned_frame(*this, fraction) : straight_frame(*this, fraction);
 }
 
@@ -53,6 +55,8 @@ Seam::Seam(std::vector<SeamPiece> pieces) : pieces_(std::move(pieces)) {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const std::string where = "seam piece " + std::to_string(i);
     if (!is_finite(pieces_[i])) throw InvalidInput(where, "not finite");
+    if (pieces_[i].kind == SeamPiece::Kind::curve && !pieces_[i].curve)
+      throw InvalidInput(where, "a curve without its course");
     if (pieces_[i].end_time <= pieces_[i].start_time)
       throw InvalidInput(where, "does not end after it starts", "an increasing time");
     if (i > 0 && std::abs(pieces_[i].start_time - pieces_[i - 1].end_time) > kTimeTolerance)

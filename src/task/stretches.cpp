@@ -179,4 +179,12 @@ Stretches lay_out(const Robot& robot, const std::vector<Segment>& segments) {
   return layout.take();
 }
 
+double nominal_duration(const Stretch& stretch, const SeamDescription& description) {
+  if (stretch.duration) return *stretch.duration;
+  if (!description.speed)
+    throw InvalidInput(description.where, "missing key 'speed'",
+                       "a speed, m/s, or times for every pose");
+  return std::max(stretch.piece.length() / *description.speed, stretch.least_duration);
+}
+
 }  // namespace wristwise

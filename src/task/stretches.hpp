@@ -16,6 +16,8 @@ struct Stretch {
   std::optional<JointBox> end_joints;  ///< where it ends at a joint waypoint
   std::size_t segment = 0;
   std::string where;
+  bool stands = false;  ///< the torch stands and turns, from rest to rest
+  double end_rate = 1;  ///< speed where it ends, as a share of the weld speed
 };
 
 struct Stretches {
@@ -27,5 +29,8 @@ struct Stretches {
 
 /// Turns segments into stretches and joins them, with moves to and from joint waypoints.
 Stretches lay_out(const Robot& robot, const std::vector<Segment>& segments);
+
+/// s, at weld speed.
+double nominal_duration(const Stretch& stretch, const SeamDescription& description);
 
 }  // namespace wristwise

@@ -1,0 +1,49 @@
+#include "task/run_curve.hpp"
+
+#include "task/arc_length.hpp"
+
+namespace wristwise {
+
+namespace {
+
+JointVector joined(const Eigen::Vector3d& position, double angle) {
+  JointVector values(4);
+  values << position, angle;
+  return values;
+}
+
+}  // namespace
+
+// The angle follows a rate that rises from zero like a smoothstep: half of duration times full
+// rate.
+RunCurve::RunCurve(Way way, const PathPoint& end, double speed, const Eigen::Vector3d& rest,
+                   double duration)
+    : orientation_(end.frame.linear()) {
+  const double rate = speed * end.turning.norm() * duration;  // all derivatives by the fraction
+  axis_ = rate > 0 ? end.turning.normalized() : Eigen::Vector3d::UnitZ();
+  const double step = speed * duration;
+  const double side = way == Way::in ? -1 : 1;
+  std::vector<JointVector> positions{joined(rest, side * 0.5 * rate),
+                                     joined(end.frame.translation(), 0)};
+  std::vector<JointVector> velocities{JointVector::Zero(4), joined(step * end.tangent, rate)};
+  std::vector<JointVector> accelerations{JointVector::Zero(4),
+                                         joined(step * step * end.curvature, 0)};
+  if (way == Way::out) {
+    std::swap(positions[0], positions[1]);
+    std::swap(velocities[0], velocities[1]);
+    std::swap(accelerations[0], accelerations[1]);
+  }
+  motion_ =
+      Trajectory({0, 1}, std::move(positions), std::move(velocities), std::move(accelerations));
+  length_ = ArcLength([this](double u) { return motion_.evaluate(u, 1).head<3>().norm(); }).total();
+}
+
+Pose RunCurve::frame_at(double fraction) const {
+  const JointVector at = motion_.evaluate(fraction);
+  Pose frame = Pose::Identity();
+  frame.translation() = at.head<3>();
+  frame.linear() = Eigen::AngleAxisd(at[3], axis_).toRotationMatrix() * orientation_;
+  return frame;
+}
+
+}  // namespace wristwise
