@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "refine/breakpoints.hpp"
 #include "refine/gauss_quadrature.hpp"
 #include "refine/spline.hpp"
 #include "timing/banded_program.hpp"
