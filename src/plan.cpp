@@ -1,18 +1,25 @@
 #include "wristwise/plan.hpp"
 
+#include <functional>
 #include <memory>
 #include <utility>
 
 #include "cancelled.hpp"
 #include "graph/graph_planner.hpp"
 #include "parallel.hpp"
-#include "refine/refinement.hpp"
 #include "stopwatch.hpp"
+#include "timing/highest_speed.hpp"
+#include "timing/retiming.hpp"
+#include "timing/slowed_stretches.hpp"
+#include "timing/speed_diagnosis.hpp"
+#include "timing/weld_speed.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
 
 namespace {
+
+constexpr double kAnySpeed = 1e4;  // times the time: no joint is too slow for a move
 
 VerificationOptions verification_options(const Problem& problem, const PlanOptions& options) {
   VerificationOptions verification = options.verification;
@@ -33,8 +40,10 @@ class Pipeline {
     return run([this] {
       prepare();
       if (!find_seed(problem_.task)) return;
-      if (result_.mode == Mode::two_stage) refine_seed(problem_.task);
-      verify_result(problem_.task);
+      if (result_.mode == Mode::graph_only) return verify_result(problem_.task);
+      refine_and_verify(problem_.task, [](const Problem& slower, double, const PlanOptions& quiet) {
+        return wristwise::plan(slower, quiet);
+      });
     });
   }
 
@@ -44,8 +53,12 @@ class Pipeline {
       prepare();
       const Task task = problem_.task.with_waypoints_at(path.times);
       result_.path = path;
-      refine_seed(task);
-      verify_result(task);
+      refine_and_verify(task, [&](const Problem& slower, double factor, const PlanOptions& quiet) {
+        JointPath slow = path;
+        const double start = problem_.task.seam.start_time();
+        for (double& t : slow.times) t = start + factor * (t - start);
+        return wristwise::smooth(slower, slow, quiet);
+      });
     });
   }
 
@@ -75,8 +88,12 @@ class Pipeline {
   bool find_seed(const Task& task) {
     const auto ik = inverse_kinematics();
     const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, problem_.graph};
-    GraphPlan plan = plan_graph(input, task, verification_.clearance_epsilon, threads_,
-                                options_.monitor, result_.timing);
+    GraphPlan plan = find_paths(input, task);
+    if (!plan.found && is_too_fast(plan) && result_.mode == Mode::two_stage) {
+      GraphPlan slower = find_paths(input, stretched(task, kAnySpeed));
+      for (Seed& seed : slower.seeds) seed.path = at_waypoints_of(task, std::move(seed.path));
+      if (slower.found) plan = std::move(slower);
+    }
     result_.graph = std::move(plan.statistics);
     result_.seeds = std::move(plan.seeds);
     if (!result_.seeds.empty()) result_.path = result_.seeds.front().path;
@@ -84,6 +101,15 @@ class Pipeline {
     result_.status = Status::infeasible;
     if (plan.diagnosis) result_.diagnosis.push_back(*plan.diagnosis);
     return false;
+  }
+
+  GraphPlan find_paths(const SamplingInput& input, const Task& task) {
+    return plan_graph(input, task, verification_.clearance_epsilon, threads_, options_.monitor,
+                      result_.timing);
+  }
+
+  static bool is_too_fast(const GraphPlan& plan) {
+    return plan.diagnosis && plan.diagnosis->counts && plan.diagnosis->counts->too_fast > 0;
   }
 
   std::shared_ptr<const InverseKinematics> inverse_kinematics() {
@@ -97,22 +123,63 @@ class Pipeline {
     return found.solver;
   }
 
+  /// The same problem at a slower uniform speed, `factor` times the time.
+  using Trial = std::function<PlanResult(const Problem& slower, double factor, const PlanOptions&)>;
+
+  void refine_and_verify(const Task& task, const Trial& trial) {
+    const SpeedRefined refined = refine_seed(task);
+    verify_result(refined.task);
+    if (refined.too_fast && fails_by_rates_only(result_.verification)) {
+      explain_speed(refined.task, *refined.too_fast, trial);
+    }
+  }
+
   /// Stage 2.
-  void refine_seed(const Task& task) {
+  SpeedRefined refine_seed(const Task& task) {
     const Stopwatch watch(result_.timing.refine);
-    const RefinementInput input{*problem_.robot, task, clearance_, problem_.cost, problem_.refine,
-                                options_.monitor};
-    Refined refined = refine(input, result_.path);
-    result_.trajectory = std::move(refined.trajectory);
+    SpeedRefined refined = refine_at_weld_speed(
+        {*problem_.robot, task, clearance_, problem_.cost, problem_.refine, options_.monitor},
+        result_.path);
+    result_.trajectory = std::move(refined.refined.trajectory);
     result_.path = result_.trajectory.waypoints();
-    result_.refine = std::move(refined.statistics);
-    if (!refined.feasible) {
+    result_.refine = std::move(refined.refined.statistics);
+    result_.seam_time = refined.task.seam.seam_time();
+    if (refined.law) {
+      result_.slowed =
+          slowed_stretches(*refined.law, result_.trajectory, rate_limits(*problem_.robot));
+    }
+    if (!refined.refined.feasible) {
       result_.diagnosis.push_back(
           {std::nullopt, "refinement",
            "stage 2 ended without meeting every constraint: " + result_.refine.termination,
            "look at the verification for what is not met; widen that tolerance, weld slower, or "
            "start from another path"});
     }
+    return refined;
+  }
+
+  /// Nothing but the speed is in the way: where, and which speed would do.
+  void explain_speed(const Task& task, const UniformSlowdown& too_fast, const Trial& trial) {
+    result_.status = Status::infeasible;
+    Diagnosis diagnosis = diagnose_speed(*problem_.robot, task, too_fast);
+    if (problem_.refine.try_speeds && task.speed_policy == SpeedPolicy::hold) {
+      const Stopwatch watch(result_.timing.refine);
+      const auto works = [&](double factor) { return is_solved(trial, factor); };
+      diagnosis.suggestion =
+          suggest_speed(task, too_fast, least_working_factor(works, too_fast.factor));
+    }
+    result_.diagnosis.insert(result_.diagnosis.begin(), std::move(diagnosis));
+  }
+
+  bool is_solved(const Trial& trial, double factor) const {
+    Problem slower = problem_;
+    slower.task = stretched(problem_.task, factor);
+    slower.refine.try_speeds = slower.graph.try_relaxations = false;
+    PlanOptions quiet = options_;
+    quiet.monitor = {nullptr, nullptr, options_.monitor.cancel};
+    const PlanResult result = trial(slower, factor, quiet);
+    throw_if_cancelled(options_.monitor);
+    return result.status == Status::solved;
   }
 
   void verify_result(const Task& task) {

@@ -97,6 +97,13 @@ struct RefineStatistics {
   std::vector<CostTerm> terms;
 };
 
+/// A stretch of the weld that is run slower than weld speed, because the joints can't keep up.
+struct SlowedStretch {
+  double from = 0, to = 0;  ///< s
+  double least_ratio = 1;   ///< of the weld speed
+  int joint = -1;           ///< the one that is nearest to its limits there
+};
+
 struct Timing {  ///< s
   double load = 0, sampling = 0, search = 0, refine = 0, verify = 0, total = 0;
 };
@@ -107,6 +114,8 @@ struct PlanResult {
   std::vector<Seed> seeds;  ///< of stage 1, distinct, the best first
   JointPath path;           ///< at the waypoints; may be partial where there is no solution
   Trajectory trajectory;    ///< the curve; empty in graph-only mode
+  Trajectory seam_time;     ///< nominal time of the seam, s, over real time; empty: the same
+  std::vector<SlowedStretch> slowed;  ///< by SpeedPolicy::slow, in order
   GraphStatistics graph;
   RefineStatistics refine;
   Verification verification;

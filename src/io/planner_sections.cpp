@@ -123,7 +123,7 @@ GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
 
 RefineOptions read_refine(const ConfigReader& reader) {
   reader.expect_keys({"smoothing_time", "knot_spacing", "max_rounds", "max_iterations",
-                      "constraint_tolerance", "clearance_epsilon"});
+                      "constraint_tolerance", "clearance_epsilon", "try_speeds"});
   RefineOptions refine;
   if (const auto value = reader.find("smoothing_time"))
     refine.smoothing_time = value->positive(Quantity::time);
@@ -136,6 +136,8 @@ RefineOptions read_refine(const ConfigReader& reader) {
     refine.constraint_tolerance = value->positive(Quantity::number);
   if (const auto value = reader.find("clearance_epsilon"))
     refine.clearance_epsilon = value->positive(Quantity::length);
+  if (const auto value = reader.find("try_speeds"))
+    refine.try_speeds = value->choice({"true", "false"}) == "true";
   return refine;
 }
 

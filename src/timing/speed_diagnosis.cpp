@@ -1,0 +1,66 @@
+#include "timing/speed_diagnosis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wristwise {
+
+namespace {
+
+std::size_t nearest_waypoint(const Task& task, double t) {
+  const auto nearer = [t](const Waypoint& a, const Waypoint& b) {
+    return std::abs(a.time - t) < std::abs(b.time - t);
+  };
+  const auto nearest = std::min_element(task.waypoints.begin(), task.waypoints.end(), nearer);
+  return static_cast<std::size_t>(nearest - task.waypoints.begin());
+}
+
+/// m/s, of the piece that is run at a time; 0 on a move.
+double weld_speed(const Seam& seam, double t) {
+  const SeamPiece& piece = seam.piece_at(t);
+  if (piece.kind == SeamPiece::Kind::move) return 0;
+  return piece.length() / (piece.end_time - piece.start_time);
+}
+
+}  // namespace
+
+bool fails_by_rates_only(const Verification& verification) {
+  constexpr double kAtLimit = 1 + 1e-9;
+  const std::array<double, 3> ratios = {verification.velocity_ratio,
+                                        verification.acceleration_ratio, verification.jerk_ratio};
+  const auto over =
+      std::count_if(ratios.begin(), ratios.end(), [](double ratio) { return ratio > kAtLimit; });
+  return over > 0 && verification.failures.size() == static_cast<std::size_t>(over);
+}
+
+Diagnosis diagnose_speed(const Robot& robot, const Task& task, const UniformSlowdown& too_fast) {
+  constexpr std::array<const char*, 3> kNames = {"velocity", "acceleration", "jerk"};
+  const std::size_t waypoint = nearest_waypoint(task, too_fast.time);
+  return {waypoint, "infeasible_at_this_speed",
+          fmt::format("{} needs {:.3g} times its {} limit at {:.4g} s (waypoint {}) on the "
+                      "smoothest motion that meets everything else",
+                      robot.joints()[static_cast<std::size_t>(too_fast.joint)].name, too_fast.ratio,
+                      kNames[static_cast<std::size_t>(too_fast.derivative - 1)], too_fast.time,
+                      waypoint),
+          "weld slower, set path.speed_policy: slow, or widen the tolerance"};
+}
+
+std::string suggest_speed(const Task& task, const UniformSlowdown& too_fast,
+                          std::optional<double> factor) {
+  if (!factor) {
+    return "no uniform speed that was tried works; set path.speed_policy: slow, or widen the "
+           "tolerance";
+  }
+  const double speed = weld_speed(task.seam, too_fast.time);
+  const std::string absolute =
+      speed > 0 ? fmt::format("{:.4g} m/s, ", std::floor(1e5 * speed / *factor) / 1e5) : "";
+  return fmt::format(
+      "the highest uniform speed that works, found by trying to 2%, is {}{:.3g}% of the weld "
+      "speed; path.speed_policy: slow is slower only where it must be",
+      absolute, 100 / *factor);
+}
+
+}  // namespace wristwise
