@@ -89,11 +89,6 @@ class Pipeline {
     const auto ik = inverse_kinematics();
     const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, problem_.graph};
     GraphPlan plan = find_paths(input, task);
-    if (!plan.found && is_too_fast(plan) && result_.mode == Mode::two_stage) {
-      GraphPlan slower = find_paths(input, stretched(task, kAnySpeed));
-      for (Seed& seed : slower.seeds) seed.path = at_waypoints_of(task, std::move(seed.path));
-      if (slower.found) plan = std::move(slower);
-    }
     result_.graph = std::move(plan.statistics);
     result_.seeds = std::move(plan.seeds);
     if (!result_.seeds.empty()) result_.path = result_.seeds.front().path;
@@ -103,13 +98,20 @@ class Pipeline {
     return false;
   }
 
+  /// Where moves are too fast at weld speed, stage 2 starts from a path at any speed: it says which
+  /// speed works, or slows down.
   GraphPlan find_paths(const SamplingInput& input, const Task& task) {
-    return plan_graph(input, task, verification_.clearance_epsilon, threads_, options_.monitor,
-                      result_.timing);
-  }
-
-  static bool is_too_fast(const GraphPlan& plan) {
-    return plan.diagnosis && plan.diagnosis->counts && plan.diagnosis->counts->too_fast > 0;
+    const auto find = [&](const Task& timed, Help help) {
+      return plan_graph(input, timed, verification_.clearance_epsilon, threads_, options_.monitor,
+                        result_.timing, help);
+    };
+    if (result_.mode == Mode::graph_only) return find(task, Help::always);
+    GraphPlan plan = find(task, Help::unless_speeds);
+    if (plan.found || !is_too_fast(plan)) return plan;
+    plan = find(stretched(task, kAnySpeed), Help::unless_speeds);
+    if (!plan.found) return find(task, Help::always);
+    for (Seed& seed : plan.seeds) seed.path = at_waypoints_of(task, std::move(seed.path));
+    return plan;
   }
 
   std::shared_ptr<const InverseKinematics> inverse_kinematics() {
@@ -137,16 +139,19 @@ class Pipeline {
   /// Stage 2.
   SpeedRefined refine_seed(const Task& task) {
     const Stopwatch watch(result_.timing.refine);
+    const RefinementInput input{*problem_.robot, task, clearance_, problem_.cost, problem_.refine,
+                                options_.monitor};
     SpeedRefined refined = refine_at_weld_speed(
-        {*problem_.robot, task, clearance_, problem_.cost, problem_.refine, options_.monitor},
-        result_.path);
+        input, result_.path, [this](const Task& timed, const Trajectory& motion) {
+          return verify(timed, clearance_, motion, verification_).passed;
+        });
     result_.trajectory = std::move(refined.refined.trajectory);
     result_.path = result_.trajectory.waypoints();
     result_.refine = std::move(refined.refined.statistics);
     result_.seam_time = refined.task.seam.seam_time();
-    if (refined.law) {
+    if (!refined.law.empty()) {
       result_.slowed =
-          slowed_stretches(*refined.law, result_.trajectory, rate_limits(*problem_.robot));
+          slowed_stretches(refined.law, result_.trajectory, rate_limits(*problem_.robot));
     }
     if (!refined.refined.feasible) {
       result_.diagnosis.push_back(
@@ -162,7 +167,7 @@ class Pipeline {
   void explain_speed(const Task& task, const UniformSlowdown& too_fast, const Trial& trial) {
     result_.status = Status::infeasible;
     Diagnosis diagnosis = diagnose_speed(*problem_.robot, task, too_fast);
-    if (problem_.refine.try_speeds && task.speed_policy == SpeedPolicy::hold) {
+    if (problem_.refine.try_speeds) {
       const Stopwatch watch(result_.timing.refine);
       const auto works = [&](double factor) { return is_solved(trial, factor); };
       diagnosis.suggestion =
@@ -174,6 +179,7 @@ class Pipeline {
   bool is_solved(const Trial& trial, double factor) const {
     Problem slower = problem_;
     slower.task = stretched(problem_.task, factor);
+    slower.task.speed_policy = SpeedPolicy::hold;
     slower.refine.try_speeds = slower.graph.try_relaxations = false;
     PlanOptions quiet = options_;
     quiet.monitor = {nullptr, nullptr, options_.monitor.cancel};

@@ -25,6 +25,18 @@ double weld_speed(const Seam& seam, double t) {
   return piece.length() / (piece.end_time - piece.start_time);
 }
 
+/// With four digits, not more than it is.
+std::string rounded_down(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
+  return fmt::format("{:.4g}", unit * std::floor(value / unit));
+}
+
+std::string other_help(const Task& task) {
+  const bool hold = task.speed_policy == SpeedPolicy::hold;
+  return hold ? ", or set path.speed_policy: slow, or widen the tolerance"
+              : ", or widen the tolerance; slowing only where it must did not do";
+}
+
 }  // namespace
 
 bool fails_by_rates_only(const Verification& verification) {
@@ -45,22 +57,19 @@ Diagnosis diagnose_speed(const Robot& robot, const Task& task, const UniformSlow
                       robot.joints()[static_cast<std::size_t>(too_fast.joint)].name, too_fast.ratio,
                       kNames[static_cast<std::size_t>(too_fast.derivative - 1)], too_fast.time,
                       waypoint),
-          "weld slower, set path.speed_policy: slow, or widen the tolerance"};
+          "weld slower" + other_help(task)};
 }
 
 std::string suggest_speed(const Task& task, const UniformSlowdown& too_fast,
                           std::optional<double> factor) {
-  if (!factor) {
-    return "no uniform speed that was tried works; set path.speed_policy: slow, or widen the "
-           "tolerance";
-  }
+  if (!factor) return "no uniform speed that was tried works; try others" + other_help(task);
   const double speed = weld_speed(task.seam, too_fast.time);
   const std::string absolute =
-      speed > 0 ? fmt::format("{:.4g} m/s, ", std::floor(1e5 * speed / *factor) / 1e5) : "";
+      speed > 0 ? fmt::format("{} m/s, ", rounded_down(speed / *factor)) : "";
   return fmt::format(
       "the highest uniform speed that works, found by trying to 2%, is {}{:.3g}% of the weld "
-      "speed; path.speed_policy: slow is slower only where it must be",
-      absolute, 100 / *factor);
+      "speed{}",
+      absolute, 100 / *factor, other_help(task));
 }
 
 }  // namespace wristwise

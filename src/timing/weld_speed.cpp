@@ -12,9 +12,14 @@ namespace wristwise {
 
 namespace {
 
-constexpr double kFastestSpans = 200;  // of a profile; finer ramps leave the curve no room
-/// Of the limits, for each time that the seam is slowed: stage 2 needs some room below them.
-constexpr std::array<double, 6> kMargins = {0.95, 0.9, 0.85, 0.8, 0.7, 0.6};
+/// How a seam is slowed. Stage 2 needs some room below the limits, and ramps that its curve can
+/// follow.
+struct Slowing {
+  double margin;  ///< of the limits
+  double spans;   ///< of the time law
+};
+constexpr std::array<Slowing, 5> kSlowings = {
+    {{0.95, 100}, {0.9, 50}, {0.8, 50}, {0.7, 30}, {0.5, 20}}};
 
 Robot without_rate_limits(const Robot& robot) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -26,68 +31,46 @@ Robot without_rate_limits(const Robot& robot) {
   return Robot(std::move(parts));
 }
 
-class WeldSpeed {
- public:
-  WeldSpeed(const RefinementInput& input, const JointPath& seed)
-      : input_(input),
-        unlimited_(without_rate_limits(input.robot)),
-        limits_(rate_limits(input.robot)),
-        path_(seed) {
-    result_.task = input.task;
-  }
+Refined refine_for(const Robot& robot, const Task& task, const RefinementInput& input,
+                   const JointPath& seed) {
+  return refine({robot, task, input.clearance, input.cost, input.options, input.monitor}, seed);
+}
 
-  SpeedRefined run() {
-    const bool slow = input_.task.speed_policy == SpeedPolicy::slow;
-    for (std::size_t round = 0; !meets_limits(); ++round) {
-      if (!result_.too_fast || !slow || round == kMargins.size()) break;
-      slow_down(kMargins[round]);
-    }
-    return std::move(result_);
-  }
+Trajectory slower_law(const RefinementInput& input, const Trajectory& motion, Slowing slowing) {
+  const double duration = motion.times().back() - motion.times().front();
+  const double spacing = std::min(duration / slowing.spans, 0.4 * input.options.smoothing_time);
+  return speed_profile(motion, rate_limits(input.robot), {slowing.margin, spacing});
+}
 
- private:
-  Refined refine_for(const Robot& robot) const {
-    const RefinementInput input{robot,       result_.task,   input_.clearance,
-                                input_.cost, input_.options, input_.monitor};
-    return refine(input, path_);
+/// The motion without limits run slower, then refined under them; gentler where that fails.
+std::optional<SpeedRefined> slow_down(const RefinementInput& input, const Trajectory& motion,
+                                      const MotionCheck& passes) {
+  for (const Slowing& slowing : kSlowings) {
+    SpeedRefined slowed;
+    slowed.law = slower_law(input, motion, slowing);
+    slowed.task = run_along(input.task, slowed.law);
+    const JointPath seed = at_waypoints_of(slowed.task, motion.waypoints());
+    slowed.refined = refine_for(input.robot, slowed.task, input, seed);
+    if (passes(slowed.task, slowed.refined.trajectory)) return slowed;
   }
-
-  /// Tries the limits; where that fails, says whether they are what is in the way.
-  bool meets_limits() {
-    result_.too_fast.reset();
-    result_.refined = refine_for(input_.robot);
-    if (result_.refined.feasible) return true;
-    Refined free = refine_for(unlimited_);
-    if (!free.feasible) return false;
-    const UniformSlowdown slowdown = uniform_slowdown(free.trajectory, limits_);
-    result_.refined = std::move(free);
-    if (slowdown.factor <= 1) return true;
-    result_.too_fast = slowdown;
-    return false;
-  }
-
-  void slow_down(double margin) {
-    const Trajectory& motion = result_.refined.trajectory;
-    const double duration = motion.times().back() - motion.times().front();
-    const SpeedProfileOptions options{
-        margin, std::min(duration / kFastestSpans, 0.4 * input_.options.smoothing_time)};
-    Trajectory law = speed_profile(motion, limits_, options);
-    result_.task = run_along(result_.task, law);
-    path_ = at_waypoints_of(result_.task, motion.waypoints());
-    result_.law = result_.law ? run_along(*result_.law, law) : std::move(law);
-  }
-
-  const RefinementInput& input_;
-  const Robot unlimited_;
-  const Rates limits_;
-  JointPath path_;
-  SpeedRefined result_;
-};
+  return std::nullopt;
+}
 
 }  // namespace
 
-SpeedRefined refine_at_weld_speed(const RefinementInput& input, const JointPath& seed) {
-  return WeldSpeed(input, seed).run();
+SpeedRefined refine_at_weld_speed(const RefinementInput& input, const JointPath& seed,
+                                  const MotionCheck& passes) {
+  SpeedRefined limited{refine_for(input.robot, input.task, input, seed), input.task, {}, {}};
+  if (limited.refined.feasible) return limited;
+  Refined unlimited = refine_for(without_rate_limits(input.robot), input.task, input, seed);
+  if (!unlimited.feasible) return limited;
+  const UniformSlowdown slowdown = uniform_slowdown(unlimited.trajectory, rate_limits(input.robot));
+  if (slowdown.factor > 1 && input.task.speed_policy == SpeedPolicy::slow) {
+    if (auto slowed = slow_down(input, unlimited.trajectory, passes)) return *std::move(slowed);
+  }
+  SpeedRefined free{std::move(unlimited), input.task, {}, {}};
+  if (slowdown.factor > 1) free.too_fast = slowdown;
+  return free;
 }
 
 }  // namespace wristwise
