@@ -1,18 +1,20 @@
 #include "wristwise/plan.hpp"
 
-#include <functional>
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "cancelled.hpp"
 #include "graph/graph_planner.hpp"
 #include "parallel.hpp"
+#include "refine/seed_refinement.hpp"
 #include "stopwatch.hpp"
-#include "timing/highest_speed.hpp"
 #include "timing/retiming.hpp"
 #include "timing/slowed_stretches.hpp"
 #include "timing/speed_diagnosis.hpp"
 #include "timing/weld_speed.hpp"
+#include "verify/pace_check.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
@@ -20,6 +22,9 @@ namespace wristwise {
 namespace {
 
 constexpr double kAnySpeed = 1e4;  // times the time: no joint is too slow for a move
+
+constexpr const char* kStoppedEarly =
+    "stage 2 was stopped before its end; this is its best trajectory until then";
 
 VerificationOptions verification_options(const Problem& problem, const PlanOptions& options) {
   VerificationOptions verification = options.verification;
@@ -39,11 +44,16 @@ class Pipeline {
   PlanResult plan() {
     return run([this] {
       prepare();
-      if (!find_seed(problem_.task)) return;
+      if (!find_seeds(problem_.task, problem_.graph)) return;
       if (result_.mode == Mode::graph_only) return verify_result(problem_.task);
-      refine_and_verify(problem_.task, [](const Problem& slower, double, const PlanOptions& quiet) {
-        return wristwise::plan(slower, quiet);
-      });
+      Refined refined = refine_best_seed(problem_.task);
+      std::vector<JointPath> seeds;
+      for (const Seed& seed : result_.seeds) seeds.push_back(seed.path);
+      conclude(problem_.task, std::move(refined), seeds,
+               [](const Problem& slower, double, const PlanOptions& quiet) {
+                 return wristwise::plan(slower, quiet);
+               });
+      keep_seed_if_better(problem_.task);
     });
   }
 
@@ -52,13 +62,13 @@ class Pipeline {
     return run([&] {
       prepare();
       const Task task = problem_.task.with_waypoints_at(path.times);
-      result_.path = path;
-      refine_and_verify(task, [&](const Problem& slower, double factor, const PlanOptions& quiet) {
-        JointPath slow = path;
-        const double start = problem_.task.seam.start_time();
-        for (double& t : slow.times) t = start + factor * (t - start);
-        return wristwise::smooth(slower, slow, quiet);
-      });
+      conclude(task, refine_path(task, path), {path},
+               [&](const Problem& slower, double factor, const PlanOptions& quiet) {
+                 JointPath slow = path;
+                 const double start = problem_.task.seam.start_time();
+                 for (double& t : slow.times) t = start + factor * (t - start);
+                 return wristwise::smooth(slower, slow, quiet);
+               });
     });
   }
 
@@ -85,9 +95,9 @@ class Pipeline {
   }
 
   /// Stage 1. Without a path to the end, the best partial one and a diagnosis.
-  bool find_seed(const Task& task) {
+  bool find_seeds(const Task& task, const GraphOptions& graph) {
     const auto ik = inverse_kinematics();
-    const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, problem_.graph};
+    const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, graph};
     GraphPlan plan = find_paths(input, task);
     result_.graph = std::move(plan.statistics);
     result_.seeds = std::move(plan.seeds);
@@ -125,72 +135,95 @@ class Pipeline {
     return found.solver;
   }
 
-  /// The same problem at a slower uniform speed, `factor` times the time.
-  using Trial = std::function<PlanResult(const Problem& slower, double factor, const PlanOptions&)>;
-
-  void refine_and_verify(const Task& task, const Trial& trial) {
-    const SpeedRefined refined = refine_seed(task);
-    verify_result(refined.task);
-    if (refined.too_fast && fails_by_rates_only(result_.verification)) {
-      explain_speed(refined.task, *refined.too_fast, trial);
-    }
+  /// Stage 2; where none of the seeds can be refined it tries more of them.
+  Refined refine_best_seed(const Task& task) {
+    Refined best = refined(task, result_.seeds);
+    if (!best.feasible && !best.stopped && problem_.graph.spare_seeds > 0)
+      try_spare_seeds(task, best);
+    return best;
   }
 
-  /// Stage 2.
-  SpeedRefined refine_seed(const Task& task) {
+  Refined refined(const Task& task, std::vector<Seed>& seeds) {
     const Stopwatch watch(result_.timing.refine);
-    const RefinementInput input{*problem_.robot, task, clearance_, problem_.cost, problem_.refine,
-                                options_.monitor};
-    SpeedRefined refined = refine_at_weld_speed(
-        input, result_.path, [this](const Task& timed, const Trajectory& motion) {
-          return verify(timed, clearance_, motion, verification_).passed;
-        });
-    result_.trajectory = std::move(refined.refined.trajectory);
-    result_.path = result_.trajectory.waypoints();
-    result_.refine = std::move(refined.refined.statistics);
-    result_.seam_time = refined.task.seam.seam_time();
-    if (!refined.law.empty()) {
-      result_.slowed =
-          slowed_stretches(refined.law, result_.trajectory, rate_limits(*problem_.robot));
-    }
-    if (!refined.refined.feasible) {
-      result_.diagnosis.push_back(
-          {std::nullopt, "refinement",
-           "stage 2 ended without meeting every constraint: " + result_.refine.termination,
-           "look at the verification for what is not met; widen that tolerance, weld slower, or "
-           "start from another path"});
-    }
-    return refined;
+    return refine_seeds(refinement_input(task), seeds, threads_);
   }
 
-  /// Nothing but the speed is in the way: where, and which speed would do.
-  void explain_speed(const Task& task, const UniformSlowdown& too_fast, const Trial& trial) {
+  void try_spare_seeds(const Task& task, Refined& best) {
+    std::vector<Seed> tried = std::move(result_.seeds);
+    GraphOptions graph = problem_.graph;
+    graph.seeds += graph.spare_seeds;
+    find_seeds(task, graph);
+    const std::size_t known = std::min(tried.size(), result_.seeds.size());
+    std::vector<Seed> spare(result_.seeds.begin() + static_cast<std::ptrdiff_t>(known),
+                            result_.seeds.end());
+    if (!spare.empty()) {
+      Refined other = refined(task, spare);
+      if (is_better(other, best)) best = std::move(other);
+    }
+    tried.insert(tried.end(), spare.begin(), spare.end());
+    result_.seeds = std::move(tried);
+  }
+
+  Refined refine_path(const Task& task, const JointPath& path) {
+    const Stopwatch watch(result_.timing.refine);
+    return refine(refinement_input(task), path);
+  }
+
+  /// Keeps and checks what stage 2 made of the seeds, at another speed where that is in the way.
+  void conclude(const Task& task, Refined refined, const std::vector<JointPath>& seeds,
+                const SlowerTrial& trial) {
+    std::optional<SpeedRefined> other;
+    if (!refined.feasible && !refined.stopped) other = refine_at_other_speed(task, seeds);
+    keep(other ? std::move(other->refined) : std::move(refined));
+    if (other) note_speed(*other);
+    verify_result(other ? other->task : task);
+    if (!other || !other->too_fast || !fails_by_rates_only(result_.verification)) return;
+    const Stopwatch watch(result_.timing.refine);
     result_.status = Status::infeasible;
-    Diagnosis diagnosis = diagnose_speed(*problem_.robot, task, too_fast);
-    if (problem_.refine.try_speeds) {
-      const Stopwatch watch(result_.timing.refine);
-      const auto works = [&](double factor) { return is_solved(trial, factor); };
-      diagnosis.suggestion =
-          suggest_speed(task, too_fast, least_working_factor(works, too_fast.factor));
-    }
-    result_.diagnosis.insert(result_.diagnosis.begin(), std::move(diagnosis));
+    result_.diagnosis.insert(result_.diagnosis.begin(),
+                             diagnose_speed(problem_, task, *other->too_fast, options_, trial));
   }
 
-  bool is_solved(const Trial& trial, double factor) const {
-    Problem slower = problem_;
-    slower.task = stretched(problem_.task, factor);
-    slower.task.speed_policy = SpeedPolicy::hold;
-    slower.refine.try_speeds = slower.graph.try_relaxations = false;
-    PlanOptions quiet = options_;
-    quiet.monitor = {nullptr, nullptr, options_.monitor.cancel};
-    const PlanResult result = trial(slower, factor, quiet);
-    throw_if_cancelled(options_.monitor);
-    return result.status == Status::solved;
+  std::optional<SpeedRefined> refine_at_other_speed(const Task& task,
+                                                    const std::vector<JointPath>& seeds) {
+    const Stopwatch watch(result_.timing.refine);
+    const auto passes = [this](const Task& timed, const Trajectory& motion) {
+      return verify(timed, clearance_, motion, verification_).passed;
+    };
+    for (const JointPath& seed : seeds) {
+      auto other = wristwise::refine_at_other_speed(refinement_input(task), seed, passes);
+      if (other) return other;
+    }
+    return std::nullopt;
+  }
+
+  void note_speed(const SpeedRefined& other) {
+    if (other.law.empty()) return;
+    result_.seam_time = other.task.seam.seam_time();
+    result_.slowed = slowed_stretches(other.law, result_.trajectory, rate_limits(*problem_.robot));
+  }
+
+  RefinementInput refinement_input(const Task& task) const {
+    return {*problem_.robot, task, clearance_, problem_.cost, problem_.refine, options_.monitor};
+  }
+
+  void keep(Refined refined) {
+    result_.trajectory = std::move(refined.trajectory);
+    result_.path = result_.trajectory.waypoints();
+    result_.refine = std::move(refined.statistics);
+    if (refined.feasible) {
+      if (refined.stopped) result_.warnings.push_back(kStoppedEarly);
+      return;
+    }
+    result_.diagnosis.push_back(
+        {std::nullopt, "refinement",
+         "stage 2 ended without meeting every constraint: " + result_.refine.termination,
+         "look at the verification for what is not met; widen that tolerance, weld slower, or "
+         "start from another path"});
   }
 
   void verify_result(const Task& task) {
     const Stopwatch watch(result_.timing.verify);
-    throw_if_cancelled(options_.monitor);
     options_.monitor.report("verify", 0);
     result_.verification = result_.trajectory.empty()
                                ? verify(task, clearance_, result_.path, verification_)
@@ -201,6 +234,23 @@ class Pipeline {
     for (const std::string& line : result_.verification.failures) {
       result_.diagnosis.push_back({std::nullopt, "verification", line, ""});
     }
+    throw_if_cancelled(options_.monitor);
+  }
+
+  /// Where the trajectory of stage 2 does not pass and the path of stage 1 does, as points, the
+  /// path is what is returned. It is not what was asked for: the result stays failed.
+  void keep_seed_if_better(const Task& task) {
+    if (result_.status != Status::failed) return;
+    const JointPath& seed = result_.seeds.front().path;
+    const Verification of_seed = verify(task, clearance_, seed, verification_);
+    if (!of_seed.passed) return;
+    result_.path = seed;
+    result_.trajectory = {};
+    result_.verification = of_seed;
+    result_.diagnosis.push_back({std::nullopt, "seed",
+                                 "the path of stage 1 is returned: it passes the check as a list "
+                                 "of points, the trajectory of stage 2 does not pass",
+                                 "use it with --mode graph-only if that is enough"});
   }
 
   /// What stage 2 thought of its own end does not count against a check that passed.
@@ -219,6 +269,13 @@ class Pipeline {
   PlanResult result_;
 };
 
+template <class Motion>
+Verification check_along(const Problem& problem, const Task& task, const Motion& motion,
+                         const PlanOptions& options) {
+  return verify(task, std::make_shared<const ClearanceModel>(problem.robot, problem.scene), motion,
+                verification_options(problem, options));
+}
+
 }  // namespace
 
 PlanResult plan(const Problem& problem, const PlanOptions& options) {
@@ -234,14 +291,31 @@ PlanResult smooth(const Problem& problem, const JointPath& path, const PlanOptio
 }
 
 Verification check(const Problem& problem, const JointPath& path, const PlanOptions& options) {
-  return verify(problem.task, std::make_shared<const ClearanceModel>(problem.robot, problem.scene),
-                path, verification_options(problem, options));
+  return check_along(problem, problem.task, path, options);
 }
 
 Verification check(const Problem& problem, const Trajectory& trajectory,
                    const PlanOptions& options) {
-  return verify(problem.task, std::make_shared<const ClearanceModel>(problem.robot, problem.scene),
-                trajectory, verification_options(problem, options));
+  return check_along(problem, problem.task, trajectory, options);
+}
+
+Verification check(const Problem& problem, const TrajectoryFile& file, const PlanOptions& options) {
+  Task task = problem.task;
+  if (file.seam_time) {
+    Verification unusable;
+    unusable.failures = law_failures(problem.task, *file.seam_time);
+    unusable.run = true;
+    if (!unusable.failures.empty()) return unusable;
+    task = problem.task.retimed(*file.seam_time);
+  }
+  Verification result = file.trajectory ? check_along(problem, task, *file.trajectory, options)
+                                        : check_along(problem, task, file.path, options);
+  if (file.seam_time) {
+    for (const std::string& line : pace_failures(problem.task, task))
+      result.failures.push_back(line);
+  }
+  result.passed = result.failures.empty();
+  return result;
 }
 
 }  // namespace wristwise

@@ -179,7 +179,7 @@ TEST(Refine, TermsAddUpToTheObjective) {
   const Example example(gantry::parts(), three_point_task());
   const RefineStatistics statistics = example.run(three_point_seed(example.task)).statistics;
   EXPECT_TRUE(statistics.run);
-  ASSERT_EQ(statistics.terms.size(), 4U);
+  ASSERT_EQ(statistics.terms.size(), 6U);
   double sum = 0, initial = 0;
   for (const CostTerm& term : statistics.terms) {
     sum += term.final;
@@ -283,7 +283,10 @@ TEST(Refine, GoesRoundAnObstacleAtTheRequiredClearance) {
   ToleranceBox box = gantry::box(0, 0.1);
   box.lower[1] = -0.5;
   box.upper[1] = 0.5;
-  const Example example = obstacle_example(box, 40);
+  Example example = obstacle_example(box, 40);
+  for (Waypoint* end : {&example.task.waypoints.front(), &example.task.waypoints.back()}) {
+    end->tolerance = gantry::box(0, 0.1);
+  }
   const Refined refined = example.run();
   EXPECT_TRUE(refined.feasible) << refined.statistics.termination;
   const Verification verification = verify(example.task, example.clearance, refined.trajectory);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "refine/breakpoints.hpp"
 #include "refine/gauss_quadrature.hpp"
 
 namespace wristwise {

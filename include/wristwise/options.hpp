@@ -70,7 +70,8 @@ struct GraphOptions {
   /// rad or m; sparse: how far an interpolated posture may be from the nearest one in tolerance.
   double sparse_deviation = 0.05;
   bool try_relaxations = true;  ///< where there is no path, look for the smallest that would help
-  int seeds = 1;                ///< distinct paths to look for, the best first
+  int seeds = 1;                ///< distinct paths to look for, the best first; each is refined
+  int spare_seeds = 3;          ///< so many more are tried where none of those can be refined
   /// rad or m; usable postures of a waypoint that differ by less in every joint are neighbours.
   /// Paths are distinct where at some waypoint no chain of neighbours joins them: other branches of
   /// the robot, other sides of an obstacle. Whole turns are not counted.
@@ -96,6 +97,9 @@ struct RefineOptions {
   double clearance_epsilon = 5e-5;     ///< m kept in hand, so that the clearance holds for all t
   /// Where the weld speed can't be held, find by trying the highest uniform speed that works.
   bool try_speeds = true;
+  /// s; after it the best motion so far that holds everything is taken. Infinity: none. With a
+  /// limit the result depends on the machine.
+  double time_limit = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace wristwise

@@ -10,6 +10,7 @@
 #include "wristwise/monitor.hpp"
 #include "wristwise/problem.hpp"
 #include "wristwise/trajectory.hpp"
+#include "wristwise/trajectory_file.hpp"
 #include "wristwise/verification.hpp"
 
 namespace wristwise {
@@ -56,6 +57,9 @@ struct Seed {
   JointPath path;
   double cost = 0;
   std::size_t differs_at = 0;  ///< waypoint at which it differs from those before
+  /// What stage 2 made of it: how it ended, and the objective (F14) where all constraints hold.
+  std::string refinement = "not run";
+  std::optional<double> objective = std::nullopt;
 };
 
 struct GraphStatistics {
@@ -84,6 +88,16 @@ struct CostTerm {
   double initial = 0, final = 0;  ///< integral over time, weighted
 };
 
+/// A constraint that the refined motion presses against, over a stretch of time.
+struct ActiveConstraint {
+  enum class Unit { metre, radian, share };  ///< share: of a velocity, acceleration or jerk limit
+  std::string name;                          ///< coordinate, joint, or pair of bodies
+  Unit unit = Unit::metre;
+  double from = 0, to = 0;   ///< s
+  double relative_gain = 0;  ///< share of the objective that widening saves, per unit (F33)
+  std::string sentence;
+};
+
 struct RefineStatistics {
   bool run = false;
   int rounds = 0;
@@ -92,15 +106,18 @@ struct RefineStatistics {
   int control_points = 0;
   int constraint_points = 0;
   std::string termination;
-  double objective = 0;      ///< integral over time (F14)
-  double max_violation = 0;  ///< of the constraints at their points
+  double objective = 0;              ///< integral over time (F14)
+  double max_violation = 0;          ///< of the constraints at their points
+  std::size_t distance_queries = 0;  ///< exact ones
   std::vector<CostTerm> terms;
+  std::vector<ActiveConstraint> active;  ///< the most costly first
 };
 
-/// A stretch of the weld that is run slower than weld speed, because the joints can't keep up.
+/// A stretch of the weld that is run slower than the problem's times, because the joints can't keep
+/// up.
 struct SlowedStretch {
   double from = 0, to = 0;  ///< s
-  double least_ratio = 1;   ///< of the weld speed
+  double least_ratio = 1;   ///< of the problem's speed
   int joint = -1;           ///< the one that is nearest to its limits there
 };
 
@@ -114,7 +131,7 @@ struct PlanResult {
   std::vector<Seed> seeds;  ///< of stage 1, distinct, the best first
   JointPath path;           ///< at the waypoints; may be partial where there is no solution
   Trajectory trajectory;    ///< the curve; empty in graph-only mode
-  Trajectory seam_time;     ///< nominal time of the seam, s, over real time; empty: the same
+  Trajectory seam_time;     ///< the time law it runs the seam by; empty: that of the problem
   std::vector<SlowedStretch> slowed;  ///< by SpeedPolicy::slow, in order
   GraphStatistics graph;
   RefineStatistics refine;
@@ -139,6 +156,12 @@ PlanResult smooth(const Problem& problem, const JointPath& path, const PlanOptio
 /// The independent check of any trajectory; no planning.
 Verification check(const Problem& problem, const JointPath& path, const PlanOptions& options = {});
 Verification check(const Problem& problem, const Trajectory& trajectory,
+                   const PlanOptions& options = {});
+
+/// Of what a file holds. Where it has a time law of the seam that law counts, in place of the
+/// problem's: it may not run back, faster than the weld speed or, unless the problem says so
+/// there, slower.
+Verification check(const Problem& problem, const TrajectoryFile& file,
                    const PlanOptions& options = {});
 
 }  // namespace wristwise

@@ -108,6 +108,9 @@ struct Task {
   /// Velocity and acceleration of all joints are zero at the first, at the last waypoint's time.
   bool rest_at_start = false, rest_at_end = false;
 
+  double weld_start() const;  ///< s, when the first welding waypoint is passed
+  double weld_end() const;    ///< s, when the last one is
+
   /// The same waypoints at the times at which the retimed seam passes them (see Seam::retimed).
   /// @throws InvalidInput as Seam::retimed, or where two waypoints fall on one time.
   Task retimed(const Trajectory& seam_time) const;

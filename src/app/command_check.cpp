@@ -18,8 +18,7 @@ int run_check(const CheckCommand& command, const Settings& settings) {
   {
     Console console(settings);
     const PlanOptions options = console.plan_options(problem);
-    verification = file.trajectory ? check(problem, *file.trajectory, options)
-                                   : check(problem, file.path, options);
+    verification = check(problem, file, options);
   }
   if (interrupted()) return kInterrupted;
   fmt::print("{}", command.json ? verification_json(verification, problem)

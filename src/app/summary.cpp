@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/text_table.hpp"
 #include "app/verification_table.hpp"
 #include "io/peaks.hpp"
@@ -11,16 +13,24 @@ namespace wristwise::app {
 
 namespace {
 
-std::size_t waypoint_count(const PlanResult& result, const Problem& problem) {
-  return result.mode == Mode::smooth ? result.path.size() : problem.task.waypoints.size();
+/// m, without run-in and run-out.
+double weld_length(const Task& task) {
+  const double start = task.seam.nominal_time(task.weld_start());
+  const double end = task.seam.nominal_time(task.weld_end());
+  double length = 0;
+  for (const SeamPiece& piece : task.seam.pieces()) {
+    const double middle = 0.5 * (piece.start_time + piece.end_time);
+    if (middle > start && middle < end) length += piece.length();
+  }
+  return length;
 }
 
 std::string headline(const PlanResult& result, const Problem& problem) {
-  const Seam& seam = problem.task.seam;
+  const Task& task = problem.task;
   return fmt::format(
       "{}: {} ({}, {} waypoints, {} m in {} s)\n", problem.name.empty() ? "problem" : problem.name,
       status_name(result.status), mode_name(result.mode), waypoint_count(result, problem),
-      short_number(seam.length()), short_number(seam.end_time() - seam.start_time()));
+      short_number(weld_length(task)), short_number(task.weld_end() - task.weld_start()));
 }
 
 std::string diagnosis_lines(const PlanResult& result) {
@@ -33,6 +43,11 @@ std::string diagnosis_lines(const PlanResult& result) {
     if (!entry.suggestion.empty()) text += "    what would help: " + entry.suggestion + "\n";
   }
   return text;
+}
+
+std::string refined_text(const Seed& seed) {
+  if (seed.objective) return ", refined: " + short_number(*seed.objective);
+  return seed.refinement == "not run" ? "" : ", refined: " + seed.refinement;
 }
 
 std::string graph_lines(const PlanResult& result) {
@@ -60,10 +75,19 @@ std::string graph_lines(const PlanResult& result) {
   }
   for (std::size_t k = 1; k < result.seeds.size(); ++k) {
     rows.push_back({fmt::format("path {}", k + 1),
-                    fmt::format("cost {}, differs at waypoint {}",
-                                short_number(result.seeds[k].cost), result.seeds[k].differs_at)});
+                    fmt::format("cost {}, differs at waypoint {}{}",
+                                short_number(result.seeds[k].cost), result.seeds[k].differs_at,
+                                refined_text(result.seeds[k]))});
   }
   return "graph\n" + aligned(rows);
+}
+
+std::string active_lines(const RefineStatistics& refine) {
+  constexpr std::size_t kMost = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMost, refine.active.size()); ++i)
+    text += "  " + refine.active[i].sentence + "\n";
+  return text.empty() ? text : "what holds it back\n" + text;
 }
 
 std::string refine_lines(const PlanResult& result) {
@@ -75,11 +99,12 @@ std::string refine_lines(const PlanResult& result) {
   std::vector<TableRow> rows = {{"integral of", "before", "after"}};
   double before = 0;
   for (const CostTerm& term : refine.terms) {
+    if (term.initial == 0 && term.final == 0) continue;
     rows.push_back({term.name, short_number(term.initial), short_number(term.final)});
     before += term.initial;
   }
   rows.push_back({"sum", short_number(before), short_number(refine.objective)});
-  return text + aligned(rows);
+  return text + aligned(rows) + active_lines(refine);
 }
 
 std::string peak_lines(const PlanResult& result, const Problem& problem) {

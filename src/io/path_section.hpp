@@ -12,6 +12,12 @@ ToleranceBox read_tolerance(const ConfigReader& reader, const std::vector<std::s
 Segment read_segment(const ConfigReader& reader, const Pose& part, const ToleranceBox& tolerance,
                      const Robot& robot);
 
+/// What `corners` says.
+CornerOptions read_corners(const ConfigReader& reader);
+
+/// A length, or a vector under the key `away` and perhaps a duration.
+RunDescription read_run(const ConfigReader& reader, const std::string& away);
+
 /// A file with the columns x, y, z (m), qw, qx, qy, qz and perhaps time (s), in the frame `part`.
 PoseListSegment read_pose_list(const std::filesystem::path& file, const Pose& part);
 

@@ -23,13 +23,24 @@ std::vector<double> read_joint_weights(const ConfigReader& reader, const Robot& 
 }
 
 void read_singularity(const ConfigReader& reader, CostOptions& cost) {
-  reader.expect_keys({"graph", "measure"});
+  reader.expect_keys({"graph", "refine", "measure"});
   read_weight(reader, "graph", cost.singularity_graph);
+  read_weight(reader, "refine", cost.singularity_refine);
   if (const auto measure = reader.find("measure")) {
     cost.singularity_measure = measure->choice({"wrist", "manipulability"}) == "wrist"
                                    ? SingularityMeasure::wrist
                                    : SingularityMeasure::manipulability;
   }
+}
+
+void read_posture(const ConfigReader& reader, const Robot& robot, CostOptions& cost) {
+  reader.expect_keys({"joints", "weight"});
+  const auto count = static_cast<std::size_t>(robot.joint_count());
+  const auto items =
+      reader.at("joints").items(count, fmt::format("a list of {}, one per joint", count));
+  for (std::size_t j = 0; j < count; ++j)
+    cost.preferred_posture.push_back(items[j].quantity(joint_quantity(robot, j)));
+  read_weight(reader, "weight", cost.posture);
 }
 
 /// A limit that may be `off`.
@@ -67,8 +78,8 @@ void read_samples(const ConfigReader& reader, const Robot& robot, GraphOptions& 
 }  // namespace
 
 CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
-  reader.expect_keys(
-      {"joint_motion", "acceleration", "jerk", "euler", "joint_weights", "steps", "singularity"});
+  reader.expect_keys({"joint_motion", "acceleration", "jerk", "euler", "joint_weights", "steps",
+                      "singularity", "posture"});
   CostOptions cost;
   read_weight(reader, "joint_motion", cost.joint_motion);
   read_weight(reader, "acceleration", cost.acceleration);
@@ -82,6 +93,7 @@ CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
   if (const auto steps = reader.find("steps"))
     cost.squared_steps = steps->choice({"absolute", "squared"}) == "squared";
   if (const auto singularity = reader.find("singularity")) read_singularity(*singularity, cost);
+  if (const auto posture = reader.find("posture")) read_posture(*posture, robot, cost);
   if (const auto weights = reader.find("joint_weights"))
     cost.joint_weights = read_joint_weights(*weights, robot);
   return cost;
@@ -90,7 +102,8 @@ CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
 GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
   reader.expect_keys({"samples", "automatic_samples", "coarse_to_fine", "turns", "max_stray",
                       "max_tcp_step", "max_tcp_turn", "collision_checks", "planner",
-                      "sparse_deviation", "seeds", "seed_separation", "try_relaxations"});
+                      "sparse_deviation", "seeds", "spare_seeds", "seed_separation",
+                      "try_relaxations"});
   GraphOptions graph;
   if (const auto samples = reader.find("samples")) read_samples(*samples, robot, graph);
   if (const auto turns = reader.find("turns"))
@@ -116,6 +129,7 @@ GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
   if (const auto deviation = reader.find("sparse_deviation"))
     graph.sparse_deviation = deviation->positive(Quantity::angle);
   if (const auto seeds = reader.find("seeds")) graph.seeds = seeds->whole_number(1);
+  if (const auto spare = reader.find("spare_seeds")) graph.spare_seeds = spare->whole_number(0);
   if (const auto separation = reader.find("seed_separation"))
     graph.seed_separation = separation->positive(Quantity::angle);
   return graph;
@@ -123,7 +137,7 @@ GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
 
 RefineOptions read_refine(const ConfigReader& reader) {
   reader.expect_keys({"smoothing_time", "knot_spacing", "max_rounds", "max_iterations",
-                      "constraint_tolerance", "clearance_epsilon", "try_speeds"});
+                      "constraint_tolerance", "clearance_epsilon", "try_speeds", "time_limit"});
   RefineOptions refine;
   if (const auto value = reader.find("smoothing_time"))
     refine.smoothing_time = value->positive(Quantity::time);
@@ -138,6 +152,7 @@ RefineOptions read_refine(const ConfigReader& reader) {
     refine.clearance_epsilon = value->positive(Quantity::length);
   if (const auto value = reader.find("try_speeds"))
     refine.try_speeds = value->choice({"true", "false"}) == "true";
+  read_limit(reader, "time_limit", Quantity::time, refine.time_limit);
   return refine;
 }
 

@@ -19,7 +19,7 @@ struct Unit {
   double numerator, denominator;  // two, so that 10 mm is exactly the double nearest to 0.01
 };
 
-constexpr std::array<Unit, 15> kUnits = {{
+constexpr std::array<Unit, 17> kUnits = {{
     {"m", Quantity::length, 1, 1},
     {"cm", Quantity::length, 1, 100},
     {"mm", Quantity::length, 1, 1000},
@@ -35,6 +35,8 @@ constexpr std::array<Unit, 15> kUnits = {{
     {"m/min", Quantity::speed, 1, 60},
     {"cm/min", Quantity::speed, 1, 6000},
     {"mm/min", Quantity::speed, 1, 60000},
+    {"rad/s", Quantity::turn_rate, 1, 1},
+    {"deg/s", Quantity::turn_rate, kPi, 180},
 }};
 
 constexpr std::string_view kind_name(Quantity quantity) {
@@ -47,6 +49,8 @@ constexpr std::string_view kind_name(Quantity quantity) {
       return "a time";
     case Quantity::speed:
       return "a speed";
+    case Quantity::turn_rate:
+      return "a rate of turn";
     case Quantity::number:
       break;
   }

@@ -7,7 +7,7 @@
 namespace wristwise {
 
 /// What a number in a file measures; decides the units it may carry.
-enum class Quantity { number, length, angle, time, speed };
+enum class Quantity { number, length, angle, time, speed, turn_rate };
 
 /// "a length (m; also mm, cm)", for messages.
 std::string describe(Quantity quantity);

@@ -61,7 +61,10 @@ Json timing(const Timing& timing) {
 Json seeds(const PlanResult& result) {
   Json json = Json::array();
   for (const Seed& seed : result.seeds) {
-    json.push_back({{"cost", number(seed.cost)}, {"differs_at", seed.differs_at}});
+    json.push_back({{"cost", number(seed.cost)},
+                    {"differs_at", seed.differs_at},
+                    {"refinement", seed.refinement},
+                    {"objective", number(seed.objective)}});
   }
   return json;
 }
@@ -89,6 +92,31 @@ Json graph(const PlanResult& result) {
           {"seeds", seeds(result)}};
 }
 
+std::string unit_name(ActiveConstraint::Unit unit) {
+  switch (unit) {
+    case ActiveConstraint::Unit::metre:
+      return "m";
+    case ActiveConstraint::Unit::radian:
+      return "rad";
+    case ActiveConstraint::Unit::share:
+      break;
+  }
+  return "share of the limit";
+}
+
+Json active(const std::vector<ActiveConstraint>& constraints) {
+  Json json = Json::array();
+  for (const ActiveConstraint& constraint : constraints) {
+    json.push_back({{"name", constraint.name},
+                    {"from_s", number(constraint.from)},
+                    {"to_s", number(constraint.to)},
+                    {"relative_gain", number(constraint.relative_gain)},
+                    {"per", unit_name(constraint.unit)},
+                    {"sentence", constraint.sentence}});
+  }
+  return json;
+}
+
 Json refine(const RefineStatistics& refine) {
   Json terms = Json::array();
   for (const CostTerm& term : refine.terms)
@@ -102,6 +130,8 @@ Json refine(const RefineStatistics& refine) {
           {"rounds", refine.rounds},
           {"control_points", refine.control_points},
           {"constraint_points", refine.constraint_points},
+          {"distance_queries", refine.distance_queries},
+          {"active", active(refine.active)},
           {"max_violation", refine.run ? number(refine.max_violation) : Json(nullptr)}};
 }
 
@@ -201,6 +231,10 @@ std::vector<std::string> joint_names(const Problem& problem) {
   return joints;
 }
 
+Task task_as_run(const PlanResult& result, const Problem& problem) {
+  return result.seam_time.empty() ? problem.task : problem.task.retimed(result.seam_time);
+}
+
 std::string printed(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -237,27 +271,37 @@ std::string verification_json(const Verification& verification, const Problem& p
   return printed(verification_object(verification, problem));
 }
 
+std::size_t waypoint_count(const PlanResult& result, const Problem& problem) {
+  if (result.mode == Mode::smooth) return result.path.size();
+  const auto& waypoints = problem.task.waypoints;
+  return static_cast<std::size_t>(
+      std::count_if(waypoints.begin(), waypoints.end(),
+                    [](const Waypoint& waypoint) { return waypoint.welding; }));
+}
+
 std::string result_json(const PlanResult& result, const Problem& problem) {
   Json contacts = Json::array();
   for (const auto& pair : result.permanent_contacts) contacts.push_back(names(pair));
-  const std::size_t waypoints =
-      result.mode == Mode::smooth ? result.path.size() : problem.task.waypoints.size();
-  return printed({{"status", status_name(result.status)},
-                  {"mode", mode_name(result.mode)},
-                  {"waypoints", waypoints},
-                  {"joints", joint_names(problem)},
-                  {"timing_s", timing(result.timing)},
-                  {"peak_rss_bytes", peak_rss_bytes()},
-                  {"graph", graph(result)},
-                  {"refine", refine(result.refine)},
-                  {"peaks", peaks(result.path, problem)},
-                  {"verification", verification_object(result.verification, problem)},
-                  {"speed_held", speed_held(result, problem)},
-                  {"diagnosis", diagnosis(result.diagnosis)},
-                  {"problem", problem.name},
-                  {"inverse_kinematics", result.inverse_kinematics},
-                  {"permanent_contacts", std::move(contacts)},
-                  {"warnings", result.warnings}});
+  Json json = {{"status", status_name(result.status)},
+               {"mode", mode_name(result.mode)},
+               {"waypoints", waypoint_count(result, problem)},
+               {"joints", joint_names(problem)},
+               {"timing_s", timing(result.timing)},
+               {"peak_rss_bytes", peak_rss_bytes()},
+               {"graph", graph(result)},
+               {"refine", refine(result.refine)},
+               {"peaks", peaks(result.path, problem)},
+               {"verification", verification_object(result.verification, problem)},
+               {"speed_held", speed_held(result, problem)},
+               {"diagnosis", diagnosis(result.diagnosis)},
+               {"problem", problem.name},
+               {"inverse_kinematics", result.inverse_kinematics},
+               {"permanent_contacts", std::move(contacts)},
+               {"warnings", result.warnings}};
+  const Task task = task_as_run(result, problem);
+  if (task.rest_at_start) json["run_in_s"] = task.weld_start() - task.seam.start_time();
+  if (task.rest_at_end) json["run_out_s"] = task.seam.end_time() - task.weld_end();
+  return printed(json);
 }
 
 void write_result(const std::filesystem::path& folder, const PlanResult& result,
@@ -267,11 +311,12 @@ void write_result(const std::filesystem::path& folder, const PlanResult& result,
   std::filesystem::create_directories(folder);
   std::filesystem::remove(points);
   std::filesystem::remove(dense);
+  const SeamColumns seam(task_as_run(result, problem));
   if (!result.trajectory.empty()) {
-    write_trajectory(points, joint_names(problem), result.trajectory);
-    write_dense(dense, joint_names(problem), result.trajectory, problem.controller_period);
+    write_trajectory(points, joint_names(problem), result.trajectory, seam);
+    write_dense(dense, joint_names(problem), result.trajectory, problem.controller_period, seam);
   } else if (result.path.size() > 0) {
-    write_path(points, joint_names(problem), result.path);
+    write_path(points, joint_names(problem), result.path, seam);
   }
   write_text(folder / "result.json", result_json(result, problem));
 }

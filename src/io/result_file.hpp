@@ -11,6 +11,9 @@ namespace wristwise {
 std::string mode_name(Mode mode);
 std::string status_name(Status status);
 
+/// The waypoints of the weld, without run-in and run-out.
+std::size_t waypoint_count(const PlanResult& result, const Problem& problem);
+
 /// result.json. @param problem may be empty where it could not be read
 std::string result_json(const PlanResult& result, const Problem& problem);
 

@@ -63,25 +63,31 @@ void AugmentedLagrangian::use_breakpoints(std::vector<double> breakpoints) {
   singularity_points_ = singularity_points(weights_, spline_.basis);
   limits_ = limit_constraints(input_.robot, spline_.basis);
   for (PointConstraint& point : points_) point.basis = spline_.basis.at(point.time);
+  rates_.mu = rates_.first_mu;  // the multipliers of the limits are lost
   restart();
 }
 
-Ending AugmentedLagrangian::solve(const Accuracy& accuracy, const Stop& stop) {
+Ending AugmentedLagrangian::solve(const Accuracy& accuracy, const Stop& stop,
+                                  const std::function<void()>& when_holding) {
   double last_objective = std::numeric_limits<double>::infinity();
   int unsettled = 0;
   for (int round = 0; round < accuracy.rounds; ++round) {
+    input_.monitor.report("refine", std::min(1.0, static_cast<double>(rounds_) /
+                                                      input_.options.max_rounds));
+    if (stop.requested()) return Ending::stopped;
     ++rounds_;
     add_near_pairs_everywhere();
     const bool settled_inside = minimise_once(accuracy.inner, stop);
     if (stop.requested()) return Ending::stopped;
     measure();
     const double objective = terms().total();
-    if (getenv("WW_TRACE")) fprintf(stderr,"round %d spans %d points %zu J %.8g viol %.3g rate %.3g mu %.3g\n", round, spline_.basis.span_count(), points_.size(), objective, places_.violation, rates_.violation, places_.mu);
     const bool settled = settled_inside && std::abs(objective - last_objective) <=
                                                accuracy.settled * objective;
     last_objective = objective;
+    if (!accuracy.rates) rates_.violation = 0;
     const bool holds = places_.violation <= accuracy.violation && rates_hold();
     if (holds && settled) return Ending::converged;
+    if (holds && when_holding) when_holding();
     update_multipliers();
     unsettled = settled_inside ? 0 : unsettled + 1;
     const bool is_due = settled_inside || unsettled > kPatience;
@@ -89,6 +95,19 @@ Ending AugmentedLagrangian::solve(const Accuracy& accuracy, const Stop& stop) {
       return places_.violation <= kFloor ? Ending::stalled : Ending::unmet;
   }
   return Ending::out_of_rounds;
+}
+
+void AugmentedLagrangian::start_near(double stray, const Accuracy& accuracy, const Stop& stop) {
+  const Spline start = spline_;
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    add_near_pairs_everywhere();
+    minimise_once(accuracy.inner, stop);
+    measure();
+    if (places_.violation <= stray || stop.requested()) break;
+    spline_ = start;
+    places_.first_mu = places_.mu *= kGrowth;
+  }
+  update_multipliers();
 }
 
 void AugmentedLagrangian::add_near_pairs_everywhere() {

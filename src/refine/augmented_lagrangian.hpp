@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "refine/limit_constraint.hpp"
@@ -16,6 +17,7 @@ struct Accuracy {
   double settled = 1e-4;    ///< relative change of the objective between rounds
   double inner = 1e-8;      ///< relative change of the cost at which the inner solver stops
   int rounds = 30;
+  bool rates = true;         ///< velocity, acceleration and jerk limits count
 };
 
 enum class Ending {
@@ -33,8 +35,13 @@ class AugmentedLagrangian {
                       ClearanceChecker& checker, Spline start, double first_mu);
   void set_first_mu(double mu) { places_.first_mu = places_.mu = mu; }
 
+  /// The first round, at a mu large enough that nothing is violated by more than `stray` (m, rad).
+  void start_near(double stray, const Accuracy& accuracy, const Stop& stop);
+
   /// Rounds of inner minimisation and multiplier updates, until the accuracy is reached.
-  Ending solve(const Accuracy& accuracy, const Stop& stop);
+  /// @param when_holding called after each round but the last in which everything holds
+  Ending solve(const Accuracy& accuracy, const Stop& stop,
+               const std::function<void()>& when_holding = {});
 
   /// The same curve over more breakpoints, the same points; limits start anew.
   void use_breakpoints(std::vector<double> breakpoints);

@@ -8,8 +8,10 @@ namespace wristwise {
 
 std::vector<double> choose_breakpoints(const std::vector<double>& times, double spacing) {
   std::vector<double> breakpoints = {times.front()};
-  for (const double t : times) {
-    if (t - breakpoints.back() >= spacing * (1 - 1e-9)) breakpoints.push_back(t);
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double rounding = 0.5 * (times[i] - times[i - 1]);
+    if (times[i] - breakpoints.back() >= (spacing - rounding) * (1 - 1e-9))
+      breakpoints.push_back(times[i]);
   }
   if (breakpoints.back() < times.back()) {
     const bool crowded =

@@ -5,8 +5,8 @@
 
 namespace wristwise {
 
-/// Breakpoints chosen among `times` so that neighbours are at least `spacing` apart where possible;
-/// the first and the last time are kept.
+/// Breakpoints chosen among `times` so that neighbours are as near to `spacing` apart as the times
+/// allow; the first and the last time are kept.
 std::vector<double> choose_breakpoints(const std::vector<double>& times, double spacing);
 
 /// About every n-th of them; the first and the last are kept.

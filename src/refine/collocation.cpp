@@ -1,8 +1,9 @@
 #include "refine/collocation.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace wristwise {
 
@@ -91,47 +92,30 @@ std::vector<PointConstraint> Collocation::choose(const SplineBasis& basis, int p
   return points;
 }
 
-double Collocation::add_violated(const Robot& robot, const Spline& spline, double tolerance,
-                                 double unit, std::vector<PointConstraint>& points) {
-  struct Worst {
-    double excess = 0;
-    std::size_t waypoint = 0;
-  };
-  constexpr std::size_t kMost = std::max<std::size_t>(6, kMaxJoints);
-  std::array<Worst, kMost> worst{};
-  double largest = 0;
-  int current_span = -1;
-  const auto flush = [&] {
-    for (Worst& entry : worst) {
-      if (entry.excess > 0 && !included_[entry.waypoint]) {
-        PointConstraint point = constraint_at_waypoint(task_.waypoints[entry.waypoint],
-                                                       spline.basis);
-        const auto span = static_cast<std::size_t>(point.basis.first);
-        const auto& breakpoints = spline.basis.breakpoints();
-        point.weight = std::max(0.25 * (breakpoints[span + 1] - breakpoints[span]) / unit, 1e-3);
-        points.push_back(point);
-        included_[entry.waypoint] = true;
-      }
-      entry = {};
-    }
-  };
+std::vector<PointConstraint> Collocation::violated(const Robot& robot, const Spline& spline,
+                                                   double tolerance, double unit) const {
+  std::map<std::pair<int, std::size_t>, std::pair<double, std::size_t>> worst;  // span, coordinate
   for (std::size_t i = 0; i < task_.waypoints.size(); ++i) {
     if (included_[i]) continue;
-    const Waypoint& waypoint = task_.waypoints[i];
-    const SplineBasis::Values basis = spline.basis.at(waypoint.time);
-    if (basis.first != current_span) flush();
-    current_span = basis.first;
-    const JointVector q = spline.control.middleCols<SplineBasis::kLocal>(basis.first) *
-                          basis.derivatives.col(0);
-    const std::vector<double> outside = excess(robot, waypoint, q);
+    const SplineBasis::Values basis = spline.basis.at(task_.waypoints[i].time);
+    const std::vector<double> outside =
+        excess(robot, task_.waypoints[i], spline.value(basis));
     for (std::size_t k = 0; k < outside.size(); ++k) {
-      if (outside[k] <= tolerance || outside[k] <= worst[k].excess) continue;
-      worst[k] = {outside[k], i};
-      largest = std::max(largest, outside[k]);
+      if (outside[k] <= tolerance) continue;
+      auto& entry = worst[{basis.first, k}];
+      entry = std::max(entry, std::make_pair(outside[k], i));
     }
   }
-  flush();
-  return largest;
+  std::set<std::size_t> waypoints;
+  for (const auto& entry : worst) waypoints.insert(entry.second.second);
+  std::vector<PointConstraint> points;
+  const auto& breakpoints = spline.basis.breakpoints();
+  for (const std::size_t i : waypoints) {
+    points.push_back(constraint_at_waypoint(task_.waypoints[i], spline.basis));
+    const auto span = static_cast<std::size_t>(points.back().basis.first);
+    points.back().weight = std::max(0.25 * (breakpoints[span + 1] - breakpoints[span]) / unit, 1e-3);
+  }
+  return points;
 }
 
 }  // namespace wristwise

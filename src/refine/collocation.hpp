@@ -19,16 +19,16 @@ class Collocation {
   std::vector<PointConstraint> choose(const SplineBasis& basis, int per_span, double unit,
                                       const std::vector<PointConstraint>& before);
 
-  /// Adds the waypoints, one for each span and coordinate at most, that are farthest outside their
-  /// box, where that is more than `tolerance` (m, rad). Returns how far outside the farthest is.
-  double add_violated(const Robot& robot, const Spline& spline, double tolerance, double unit,
-                      std::vector<PointConstraint>& points);
+  /// Constraints at the waypoints, one for each span and coordinate at most, that are farthest
+  /// outside what they ask, where that is more than `tolerance` (m, rad).
+  std::vector<PointConstraint> violated(const Robot& robot, const Spline& spline,
+                                        double tolerance, double unit) const;
 
  private:
   std::vector<std::size_t> spread(const SplineBasis& basis, int per_span) const;
 
   const Task& task_;
-  std::vector<bool> included_;
+  std::vector<bool> included_;  ///< waypoints that are constraint points already
 };
 
 }  // namespace wristwise

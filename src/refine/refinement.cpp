@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
 
+#include "refine/active_constraints.hpp"
 #include "refine/augmented_lagrangian.hpp"
 #include "refine/breakpoints.hpp"
 #include "refine/collocation.hpp"
@@ -29,7 +30,8 @@ constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added p
 constexpr int kSamplesBetween = 10;
 constexpr int kMostSplits = 6;
 constexpr double kShortestSpan = 0.02;  ///< of the first spacing
-constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8};
+constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8, false};
+constexpr double kStray = 1e-2;        ///< m and rad, in the first round
 
 /// How far the direction of travel turns along the waypoints, rad.
 double seam_turning(const Task& task) {
@@ -67,13 +69,14 @@ class Attempt {
   Refined run() {
     for (std::size_t level = 0; level + 1 < levels_.size(); ++level) {
       place_points(level);
+      if (level == 0) lagrangian_.start_near(kStray, kCoarse, stop_);
       if (lagrangian_.solve(kCoarse, stop_) == Ending::stopped) return finish("stopped");
     }
     place_points(levels_.size() - 1);
-    const Ending ending = solve_finely();
-    switch (ending) {
+    if (levels_.size() == 1) lagrangian_.start_near(kStray, kCoarse, stop_);
+    switch (solve_finely()) {
       case Ending::converged:
-        feasible_ = true;
+        remember();
         return finish("converged");
       case Ending::stopped:
         return finish("stopped");
@@ -126,9 +129,9 @@ class Attempt {
     int splits = 0;
     while (true) {
       accuracy.rounds = input_.options.max_rounds - lagrangian_.rounds();
-      input_.monitor.report("refine", static_cast<double>(lagrangian_.rounds()) /
-                                          input_.options.max_rounds);
-      const Ending ending = lagrangian_.solve(accuracy, stop_);
+      const Ending ending = lagrangian_.solve(accuracy, stop_, [this] {
+        if (find_gaps().empty()) remember();
+      });
       if (ending == Ending::stopped || ending == Ending::out_of_rounds) return ending;
       if (ending != Ending::converged) {
         if (++splits > kMostSplits || !split_spans()) return ending;
@@ -152,32 +155,46 @@ class Attempt {
 
   /// Constraint points at waypoints that were left out and do not hold, and at the worst dip of
   /// every interval that has one.
-  bool add_points() {
-    auto& points = lagrangian_.points();
-    const std::size_t count = points.size();
+  std::vector<PointConstraint> find_gaps() {
     const Spline& spline = lagrangian_.spline();
-    collocation_.add_violated(input_.robot, spline, input_.options.constraint_tolerance, unit(),
-                              points);
+    auto gaps = collocation_.violated(input_.robot, spline, input_.options.constraint_tolerance,
+                                      unit());
     const double accepted = input_.clearance->clearance() + 0.5 * input_.options.clearance_epsilon;
-    for (const Dip& dip :
-         find_dips(input_.task, spline, checker_, accepted, kSamplesBetween)) {
-      points.push_back(
+    for (const Dip& dip : find_dips(input_.task, spline, checker_, accepted, kSamplesBetween)) {
+      gaps.push_back(
           constraint_between(input_.task, dip.interval, dip.time, kBetweenShare, spline.basis));
     }
-    if (points.size() == count) return false;
+    return gaps;
+  }
+
+  bool add_points() {
+    const std::vector<PointConstraint> gaps = find_gaps();
+    if (gaps.empty()) return false;
+    auto& points = lagrangian_.points();
+    points.insert(points.end(), gaps.begin(), gaps.end());
     lagrangian_.restart();
     return true;
   }
 
+  /// The motion holds everything: it is what an early stop returns.
+  void remember() {
+    const double objective = lagrangian_.terms().total();
+    if (best_ && best_objective_ <= objective) return;
+    best_ = lagrangian_.spline();
+    best_objective_ = objective;
+  }
+
   Refined finish(const std::string& termination) {
-    const ObjectiveTerms final_terms = lagrangian_.terms();
+    const Spline& motion = best_ ? *best_ : lagrangian_.spline();
+    const ObjectiveTerms final_terms = objective_terms(weights_, input_.robot, input_.task, motion);
     RefineStatistics statistics;
     statistics.run = true;
     statistics.rounds = lagrangian_.rounds();
     statistics.iterations = lagrangian_.iterations();
     statistics.evaluations = lagrangian_.evaluations();
-    statistics.control_points = lagrangian_.spline().basis.control_count();
+    statistics.control_points = motion.basis.control_count();
     statistics.constraint_points = static_cast<int>(lagrangian_.points().size());
+    statistics.distance_queries = checker_.queries();
     statistics.max_violation = lagrangian_.violation();
     statistics.termination = termination;
     statistics.objective = final_terms.total();
@@ -187,15 +204,21 @@ class Attempt {
                         {"euler", initial_.euler, final_terms.euler},
                         {"posture", initial_.posture, final_terms.posture},
                         {"singularity", initial_.singularity, final_terms.singularity}};
-    return {lagrangian_.spline().sampled_at(row_times()), feasible_, statistics};
+    if (termination == "converged") {
+      statistics.active =
+          active_constraints(*input_.clearance, motion, lagrangian_.points(), lagrangian_.limits(),
+                             statistics.objective);
+    }
+    return {motion.sampled_at(row_times(motion.basis)), best_.has_value(), stop_.requested(),
+            statistics};
   }
 
   /// Of the waypoints and the knots between them.
-  std::vector<double> row_times() const {
+  std::vector<double> row_times(const SplineBasis& basis) const {
     std::vector<double> times;
     for (const Waypoint& waypoint : input_.task.waypoints) times.push_back(waypoint.time);
     const std::size_t waypoints = times.size();
-    for (const double t : lagrangian_.spline().basis.breakpoints()) {
+    for (const double t : basis.breakpoints()) {
       const auto end = times.begin() + static_cast<std::ptrdiff_t>(waypoints);
       if (!std::binary_search(times.begin(), end, t)) times.push_back(t);
     }
@@ -213,14 +236,9 @@ class Attempt {
   std::vector<std::vector<double>> levels_;
   ObjectiveTerms initial_;
   AugmentedLagrangian lagrangian_;
-  bool feasible_ = false;
+  std::optional<Spline> best_;
+  double best_objective_ = 0;
 };
-
-bool is_better(const Refined& a, const Refined& b) {
-  if (a.feasible != b.feasible) return a.feasible;
-  return a.feasible ? a.statistics.objective < b.statistics.objective
-                    : a.statistics.max_violation < b.statistics.max_violation;
-}
 
 double initial_objective(const Refined& refined) {
   double sum = 0;
@@ -230,18 +248,35 @@ double initial_objective(const Refined& refined) {
 
 }  // namespace
 
+bool is_better(const Refined& a, const Refined& b) {
+  if (a.feasible != b.feasible) return a.feasible;
+  return a.feasible ? a.statistics.objective < b.statistics.objective
+                    : a.statistics.max_violation < b.statistics.max_violation;
+}
+
 Refined refine(const RefinementInput& input, const JointPath& seed) {
-  const Stop stop(input.monitor);
+  const Stop stop(input.monitor, input.options.time_limit);
+  double progress = 0;  // of the attempt that came farthest: a bar does not go back
+  Monitor monitor = input.monitor;
+  if (monitor.progress) {
+    monitor.progress = [&](const std::string& stage, double fraction) {
+      progress = std::max(progress, fraction);
+      input.monitor.report(stage, progress);
+    };
+  }
+  const RefinementInput forward{input.robot, input.task,    input.clearance,
+                                input.cost,  input.options, monitor};
   Refined best;
   int iterations = 0, evaluations = 0, rounds = 0;
   for (const double share : kStartShares) {
-    Refined attempt = Attempt(input, seed, share, stop).run();
-    throw_if_cancelled(input.monitor);
+    Refined attempt = Attempt(forward, seed, share, stop).run();
     iterations += attempt.statistics.iterations;
     evaluations += attempt.statistics.evaluations;
     rounds += attempt.statistics.rounds;
     if (best.trajectory.empty() || is_better(attempt, best)) best = std::move(attempt);
+    if (!best.feasible) throw_if_cancelled(input.monitor);
     if (best.feasible && best.statistics.objective <= initial_objective(best)) break;
+    if (stop.requested()) break;
   }
   best.statistics.iterations = iterations;
   best.statistics.evaluations = evaluations;

@@ -97,6 +97,10 @@ JointVector Spline::evaluate(double t, int derivative) const {
   return control.middleCols<SplineBasis::kLocal>(values.first) * values.derivatives.col(derivative);
 }
 
+JointVector Spline::value(const SplineBasis::Values& at) const {
+  return control.middleCols<SplineBasis::kLocal>(at.first) * at.derivatives.col(0);
+}
+
 Trajectory Spline::sampled_at(const std::vector<double>& times) const {
   std::vector<JointVector> position, velocity, acceleration;
   for (const double t : times) {

@@ -45,6 +45,7 @@ struct Spline {
   Eigen::MatrixXd control;  ///< joints x control points
 
   JointVector evaluate(double t, int derivative = 0) const;
+  JointVector value(const SplineBasis::Values& at) const;
 
   /// The piecewise quintic with the same value, velocity and acceleration at the given times: the
   /// same curve where every breakpoint is one of them.

@@ -14,6 +14,8 @@ namespace wristwise {
 namespace {
 
 constexpr int kLocal = SplineBasis::kLocal;
+// Rows that press in one direction only make large steps fail, the more the stiffer they are.
+constexpr double kTrustRegion = 1e8, kTrustRegionOfRates = 1e6;
 constexpr int kAtRest = 3;  ///< control points that are one where velocity and acceleration vanish
 
 class StopOnRequest final : public ceres::IterationCallback {
@@ -106,7 +108,7 @@ InnerSummary minimise(const AugmentedProblem& augmented, Spline& spline, const I
   options.function_tolerance = inner.function_tolerance;
   options.gradient_tolerance = 1e-14;
   options.parameter_tolerance = 1e-12;
-  options.initial_trust_region_radius = inner.trust_region;
+  options.initial_trust_region_radius = augmented.rate_mu > 0 ? kTrustRegionOfRates : kTrustRegion;
   // Rows of rates are stiff (a derivative of order k weighs a control point by 1 / span^k) and
   // switch on and off: strictly falling steps stall among them.
   options.use_nonmonotonic_steps = augmented.rate_mu > 0;
@@ -115,7 +117,6 @@ InnerSummary minimise(const AugmentedProblem& augmented, Spline& spline, const I
   options.callbacks.push_back(&stop_on_request);
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  if (getenv("WW_TRACE")) fprintf(stderr,"  inner it %zu ok %d/%d mu %.3g rmu %.3g pre %.4f res %.4f jac %.4f lin %.4f tot %.4f nres %d %s\n", summary.iterations.size(), summary.num_successful_steps, summary.num_unsuccessful_steps, augmented.mu, augmented.rate_mu, summary.preprocessor_time_in_seconds, summary.residual_evaluation_time_in_seconds, summary.jacobian_evaluation_time_in_seconds, summary.linear_solver_time_in_seconds, summary.total_time_in_seconds, summary.num_residuals, summary.message.c_str());
   for (int k = 0; k < count; ++k) {
     spline.control.col(k) = spline.control.col(batches.representative(k, count)).eval();
   }

@@ -29,7 +29,6 @@ struct AugmentedProblem {
 struct InnerOptions {
   int max_iterations = 40;
   double function_tolerance = 1e-8;
-  double trust_region = 1e8;
 };
 
 struct InnerSummary {

@@ -42,13 +42,21 @@ Eigen::Matrix3d turned(const Eigen::Vector3d& turn, const Eigen::Matrix3d& rotat
 
 double smooth_step(double x) { return x * x * x * (10 + x * (-15 + 6 * x)); }
 
+/// Its integral from 0 to x; 1/2 at 1.
+double risen(double x) { return x * x * x * x * (2.5 + x * (-3 + x)); }
+
 }  // namespace
 
 CornerBlend::CornerBlend(const PathPoint& from, const PathPoint& to, double distance)
-    : from_(from),
-      to_(to),
+    : start_(from.frame.linear()),
       control_(blend_controls(from, to, distance)),
-      arc_length_([control = control_](double u) { return bezier_speed(control, u); }) {}
+      arc_length_([control = control_](double u) { return bezier_speed(control, u); }),
+      before_(length() * from.turning),
+      after_(length() * (to.frame.linear().transpose() * to.turning)) {
+  // At the end: turned(before / 2, start) gap turned(after / 2) = to.
+  gap_ = turned(0.5 * before_, start_).transpose() * to.frame.linear() *
+         turned(0.5 * after_, Eigen::Matrix3d::Identity()).transpose();
+}
 
 Pose CornerBlend::frame_at(double fraction) const {
   Pose frame = Pose::Identity();
@@ -57,13 +65,13 @@ Pose CornerBlend::frame_at(double fraction) const {
   return frame;
 }
 
-/// Both pieces' frames go on turning as they did; the share of the second grows.
+// Three turns about fixed axes: the rate of the first falls to zero, that of the last rises from
+// it.
 Eigen::Matrix3d CornerBlend::orientation(double fraction) const {
-  const Eigen::Matrix3d before = turned(fraction * length() * from_.turning, from_.frame.linear());
-  const Eigen::Matrix3d after = turned((fraction - 1) * length() * to_.turning, to_.frame.linear());
-  const Eigen::AngleAxisd gap(before.transpose() * after);
-  return before *
-         Eigen::AngleAxisd(smooth_step(fraction) * gap.angle(), gap.axis()).toRotationMatrix();
+  const Eigen::Matrix3d before = turned((fraction - risen(fraction)) * before_, start_);
+  const Eigen::AngleAxisd gap(smooth_step(fraction) * gap_.angle(), gap_.axis());
+  return before * gap.toRotationMatrix() *
+         turned(risen(fraction) * after_, Eigen::Matrix3d::Identity());
 }
 
 }  // namespace wristwise

@@ -8,8 +8,8 @@
 namespace wristwise {
 
 /// A corner rounded off (F23): a quintic Bezier curve that takes over position, tangent and
-/// curvature at both ends, run at constant speed. The frame goes over smoothly from the turning of
-/// the piece before to that of the piece after.
+/// curvature at both ends, run at constant speed. The frame takes over the rate of turn at both
+/// ends; where that is zero it turns about one axis.
 class CornerBlend final : public SeamCurve {
  public:
   /// @param from, to where the piece before is left and the piece after is joined
@@ -22,9 +22,11 @@ class CornerBlend final : public SeamCurve {
  private:
   Eigen::Matrix3d orientation(double fraction) const;
 
-  PathPoint from_, to_;
+  Eigen::Matrix3d start_;
   std::array<Eigen::Vector3d, 6> control_;
   ArcLength arc_length_;
+  Eigen::Vector3d before_, after_;  ///< rad, by the rates of turn at the ends; base and last frame
+  Eigen::AngleAxisd gap_;           ///< what is left to turn
 };
 
 }  // namespace wristwise

@@ -11,7 +11,7 @@ namespace wristwise {
 namespace {
 
 constexpr double kCoverTolerance = 1e-9;  // s, by which a law may miss the seam's ends
-constexpr double kRateTolerance = 1e-9;   // by which a rate may be negative, for round-off
+constexpr double kRateTolerance = 1e-7;   // by which a rate may be negative, for round-off
 constexpr double kRoundOff = 1e-13;       // relative, of a time
 
 double round_off(double time) { return kRoundOff * std::max(1.0, std::abs(time)); }

@@ -56,6 +56,8 @@ Waypoint waypoint_at(const Task& task, double t) {
   return waypoint;
 }
 
+bool is_welding(const Waypoint& waypoint) { return waypoint.welding; }
+
 std::size_t count_joint_waypoints(const Task& task) {
   return static_cast<std::size_t>(
       std::count_if(task.waypoints.begin(), task.waypoints.end(),
@@ -63,6 +65,16 @@ std::size_t count_joint_waypoints(const Task& task) {
 }
 
 }  // namespace
+
+double Task::weld_start() const {
+  const auto first = std::find_if(waypoints.begin(), waypoints.end(), is_welding);
+  return first == waypoints.end() ? seam.start_time() : first->time;
+}
+
+double Task::weld_end() const {
+  const auto last = std::find_if(waypoints.rbegin(), waypoints.rend(), is_welding);
+  return last == waypoints.rend() ? seam.end_time() : last->time;
+}
 
 Task Task::retimed(const Trajectory& seam_time) const {
   Task task = *this;

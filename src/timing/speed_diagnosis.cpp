@@ -5,6 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+
+#include "cancelled.hpp"
+#include "timing/highest_speed.hpp"
+#include "timing/retiming.hpp"
 
 namespace wristwise {
 
@@ -37,18 +42,7 @@ std::string other_help(const Task& task) {
               : ", or widen the tolerance; slowing only where it must did not do";
 }
 
-}  // namespace
-
-bool fails_by_rates_only(const Verification& verification) {
-  constexpr double kAtLimit = 1 + 1e-9;
-  const std::array<double, 3> ratios = {verification.velocity_ratio,
-                                        verification.acceleration_ratio, verification.jerk_ratio};
-  const auto over =
-      std::count_if(ratios.begin(), ratios.end(), [](double ratio) { return ratio > kAtLimit; });
-  return over > 0 && verification.failures.size() == static_cast<std::size_t>(over);
-}
-
-Diagnosis diagnose_speed(const Robot& robot, const Task& task, const UniformSlowdown& too_fast) {
+Diagnosis describe(const Robot& robot, const Task& task, const UniformSlowdown& too_fast) {
   constexpr std::array<const char*, 3> kNames = {"velocity", "acceleration", "jerk"};
   const std::size_t waypoint = nearest_waypoint(task, too_fast.time);
   return {waypoint, "infeasible_at_this_speed",
@@ -70,6 +64,41 @@ std::string suggest_speed(const Task& task, const UniformSlowdown& too_fast,
       "the highest uniform speed that works, found by trying to 2%, is {}{:.3g}% of the weld "
       "speed{}",
       absolute, 100 / *factor, other_help(task));
+}
+
+bool is_solved(const Problem& problem, double factor, const PlanOptions& options,
+               const SlowerTrial& trial) {
+  Problem slower = problem;
+  slower.task = stretched(problem.task, factor);
+  slower.task.speed_policy = SpeedPolicy::hold;
+  slower.refine.try_speeds = slower.graph.try_relaxations = false;
+  PlanOptions quiet = options;
+  quiet.monitor = {nullptr, nullptr, options.monitor.cancel};
+  const PlanResult result = trial(slower, factor, quiet);
+  throw_if_cancelled(options.monitor);
+  return result.status == Status::solved;
+}
+
+}  // namespace
+
+bool fails_by_rates_only(const Verification& verification) {
+  constexpr double kAtLimit = 1 + 1e-9;
+  const std::array<double, 3> ratios = {verification.velocity_ratio,
+                                        verification.acceleration_ratio, verification.jerk_ratio};
+  const auto over =
+      std::count_if(ratios.begin(), ratios.end(), [](double ratio) { return ratio > kAtLimit; });
+  return over > 0 && verification.failures.size() == static_cast<std::size_t>(over);
+}
+
+Diagnosis diagnose_speed(const Problem& problem, const Task& task, const UniformSlowdown& too_fast,
+                         const PlanOptions& options, const SlowerTrial& trial) {
+  Diagnosis diagnosis = describe(*problem.robot, task, too_fast);
+  if (problem.refine.try_speeds) {
+    const auto works = [&](double factor) { return is_solved(problem, factor, options, trial); };
+    diagnosis.suggestion =
+        suggest_speed(task, too_fast, least_working_factor(works, too_fast.factor));
+  }
+  return diagnosis;
 }
 
 }  // namespace wristwise

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <functional>
 
 #include "timing/uniform_speed.hpp"
 #include "wristwise/plan.hpp"
@@ -10,11 +10,15 @@ namespace wristwise {
 /// Whether a check failed by velocity, acceleration and jerk alone.
 bool fails_by_rates_only(const Verification& verification);
 
-/// "infeasible_at_this_speed": where, which joint, by how much.
-Diagnosis diagnose_speed(const Robot& robot, const Task& task, const UniformSlowdown& too_fast);
+/// Plans a problem that is run slower, in `factor` times the time.
+using SlowerTrial =
+    std::function<PlanResult(const Problem& slower, double factor, const PlanOptions&)>;
 
-/// What slower weld speed works; nullopt where none was found.
-std::string suggest_speed(const Task& task, const UniformSlowdown& too_fast,
-                          std::optional<double> factor);
+/// "infeasible_at_this_speed": where, which joint, by how much; and, found by trying, the highest
+/// uniform speed that works.
+/// @param task of the problem, with the waypoints of the motion
+/// @throws Cancelled
+Diagnosis diagnose_speed(const Problem& problem, const Task& task, const UniformSlowdown& too_fast,
+                         const PlanOptions& options, const SlowerTrial& trial);
 
 }  // namespace wristwise

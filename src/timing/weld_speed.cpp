@@ -58,19 +58,18 @@ std::optional<SpeedRefined> slow_down(const RefinementInput& input, const Trajec
 
 }  // namespace
 
-SpeedRefined refine_at_weld_speed(const RefinementInput& input, const JointPath& seed,
-                                  const MotionCheck& passes) {
-  SpeedRefined limited{refine_for(input.robot, input.task, input, seed), input.task, {}, {}};
-  if (limited.refined.feasible) return limited;
+std::optional<SpeedRefined> refine_at_other_speed(const RefinementInput& input,
+                                                  const JointPath& seed,
+                                                  const MotionCheck& passes) {
   Refined unlimited = refine_for(without_rate_limits(input.robot), input.task, input, seed);
-  if (!unlimited.feasible) return limited;
+  if (!unlimited.feasible) return std::nullopt;
   const UniformSlowdown slowdown = uniform_slowdown(unlimited.trajectory, rate_limits(input.robot));
   if (slowdown.factor > 1 && input.task.speed_policy == SpeedPolicy::slow) {
-    if (auto slowed = slow_down(input, unlimited.trajectory, passes)) return *std::move(slowed);
+    if (auto slowed = slow_down(input, unlimited.trajectory, passes)) return slowed;
   }
-  SpeedRefined free{std::move(unlimited), input.task, {}, {}};
-  if (slowdown.factor > 1) free.too_fast = slowdown;
-  return free;
+  SpeedRefined result{std::move(unlimited), input.task, {}, {}};
+  if (slowdown.factor > 1) result.too_fast = slowdown;
+  return result;
 }
 
 }  // namespace wristwise

@@ -66,4 +66,28 @@ std::string clearance(const std::pair<std::string, std::string>& pair, double ti
                      pair.second, distance * 1e3, time, required * 1e3);
 }
 
+std::string seam_time_coverage(double first, double last, double start, double end) {
+  return fmt::format("seam_time runs from {:.6g} s to {:.6g} s, the seam from {:.6g} s to {:.6g} s",
+                     first, last, start, end);
+}
+
+std::string seam_time_decreases(double time, double rate) {
+  return fmt::format("seam_time runs back after t = {:.6g} s, at a rate of {:.3g}", time, rate);
+}
+
+std::string too_fast(double time, double rate) {
+  return fmt::format("runs the seam at {:.6g} times its speed after t = {:.6g} s", rate, time);
+}
+
+std::string too_slow(double time, double rate, double prescribed) {
+  return fmt::format(
+      "runs the seam at {:.6g} times its speed at t = {:.6g} s, where the problem asks for {:.6g}",
+      rate, time, prescribed);
+}
+
+std::string not_at_rest(int derivative, const std::string& joint, double time, double rate) {
+  return fmt::format("joint {} is not at rest at t = {:.6g} s: {} {:.3g}", joint, time,
+                     derivative == 1 ? "speed" : "acceleration", rate);
+}
+
 }  // namespace wristwise::text

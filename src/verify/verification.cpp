@@ -6,6 +6,8 @@
 
 #include "verify/checked_motion.hpp"
 #include "verify/failure_text.hpp"
+#include "verify/pace_check.hpp"
+#include "verify/row_waypoints.hpp"
 #include "wristwise/swept_clearance.hpp"
 
 namespace wristwise {
@@ -22,7 +24,8 @@ class Verifier {
   Verifier(const Task& task, const std::shared_ptr<const ClearanceModel>& clearance,
            const CheckedMotion& motion, const VerificationOptions& options)
       : given_(task),
-        task_(task.with_waypoints_at(motion.times())),
+        rows_(row_waypoints(task, motion.times())),
+        task_(rows_.task),
         checker_(clearance),
         robot_(clearance->robot()),
         motion_(motion),
@@ -33,7 +36,8 @@ class Verifier {
 
   Verification run() {
     check_coverage();
-    for (std::size_t i = 0; i < task_.waypoints.size(); ++i) check_waypoint(i);
+    for (std::size_t i = 0; i < task_.waypoints.size(); ++i)
+      if (!rows_.is_knot[i]) check_waypoint(i);
     for (std::size_t i = 0; i + 1 < task_.waypoints.size(); ++i) check_between(i);
     check_given_waypoints();
     check_limits();
@@ -256,7 +260,8 @@ class Verifier {
   }
 
   const Task& given_;
-  const Task task_;  ///< with the motion's own times as waypoints
+  const RowWaypoints rows_;
+  const Task& task_;  ///< with the motion's own times as waypoints
   ClearanceChecker checker_;
   const Robot& robot_;
   const CheckedMotion& motion_;
@@ -281,7 +286,11 @@ Verification verify(const Task& task, const std::shared_ptr<const ClearanceModel
                     const Trajectory& trajectory, const VerificationOptions& options) {
   validate(trajectory.waypoints(), clearance->robot().joint_count(), "trajectory");
   validate_joint_waypoints(task, clearance->robot());
-  return Verifier(task, clearance, CurveMotion(trajectory), options).run();
+  Verification result = Verifier(task, clearance, CurveMotion(trajectory), options).run();
+  for (const std::string& line : rest_failures(task, clearance->robot(), trajectory))
+    result.failures.push_back(line);
+  result.passed = result.failures.empty();
+  return result;
 }
 
 }  // namespace wristwise
