@@ -168,5 +168,32 @@ TEST(ResultFile, FilesOfAnEarlierResultDoNotSurvive) {
   EXPECT_TRUE(std::filesystem::exists(out / "result.json"));
 }
 
+/// A weld of 10 s on a slide with a run-in of 2 s and a run-out of 1 s.
+TEST(ResultFile, RunInAndRunOutAreNoWaypointsOfTheWeld) {
+  Problem problem = slider_problem();
+  Json json = Json::parse(result_json(parabola(), problem));
+  EXPECT_FALSE(json.contains("run_in_s"));
+  EXPECT_FALSE(json.contains("run_out_s"));
+  SeamPiece piece;
+  piece.start_time = -2;
+  piece.end_time = 11;
+  problem.task.seam = Seam({piece});
+  for (const double time : {-2, -1, 0, 5, 10, 11}) {
+    Waypoint waypoint;
+    waypoint.time = time;
+    waypoint.welding = time >= 0 && time <= 10;
+    problem.task.waypoints.push_back(waypoint);
+  }
+  problem.task.rest_at_start = problem.task.rest_at_end = true;
+  PlanResult result;
+  result.mode = Mode::graph_only;
+  json = Json::parse(result_json(result, problem));
+  EXPECT_EQ(json["waypoints"], 3);
+  EXPECT_EQ(json["run_in_s"], 2);
+  EXPECT_EQ(json["run_out_s"], 1);
+  problem.task.rest_at_end = false;
+  EXPECT_FALSE(Json::parse(result_json(result, problem)).contains("run_out_s"));
+}
+
 }  // namespace
 }  // namespace wristwise

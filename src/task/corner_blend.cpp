@@ -65,8 +65,8 @@ Pose CornerBlend::frame_at(double fraction) const {
   return frame;
 }
 
-// Three turns about fixed axes: the rate of the first falls to zero, that of the last rises from
-// it.
+// (F25) Three turns about fixed axes: the rate of the first falls to zero, that of the last rises
+// from it.
 Eigen::Matrix3d CornerBlend::orientation(double fraction) const {
   const Eigen::Matrix3d before = turned((fraction - risen(fraction)) * before_, start_);
   const Eigen::AngleAxisd gap(smooth_step(fraction) * gap_.angle(), gap_.axis());

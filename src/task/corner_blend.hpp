@@ -9,7 +9,7 @@ namespace wristwise {
 
 /// A corner rounded off (F23): a quintic Bezier curve that takes over position, tangent and
 /// curvature at both ends, run at constant speed. The frame takes over the rate of turn at both
-/// ends; where that is zero it turns about one axis.
+/// ends; where that is zero it turns about one axis (F25).
 class CornerBlend final : public SeamCurve {
  public:
   /// @param from, to where the piece before is left and the piece after is joined

@@ -79,7 +79,7 @@ std::string too_fast(double time, double rate) {
   return fmt::format("runs the seam at {:.6g} times its speed after t = {:.6g} s", rate, time);
 }
 
-std::string too_slow(double time, double rate, double prescribed) {
+std::string off_pace(double time, double rate, double prescribed) {
   return fmt::format(
       "runs the seam at {:.6g} times its speed at t = {:.6g} s, where the problem asks for {:.6g}",
       rate, time, prescribed);

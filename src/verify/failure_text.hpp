@@ -21,7 +21,7 @@ std::string clearance(const std::pair<std::string, std::string>& pair, double ti
 std::string seam_time_coverage(double first, double last, double start, double end);
 std::string seam_time_decreases(double time, double rate);
 std::string too_fast(double time, double rate);
-std::string too_slow(double time, double rate, double prescribed);
+std::string off_pace(double time, double rate, double prescribed);
 std::string not_at_rest(int derivative, const std::string& joint, double time, double rate);
 
 }  // namespace wristwise::text

@@ -34,6 +34,20 @@ Worst fastest(const Trajectory& law) {
   return worst;
 }
 
+/// How far above the prescribed rate where that is least: at the corners.
+Worst fastest_at_corners(const Seam& prescribed, const Seam& run) {
+  Worst worst;
+  if (!prescribed.is_retimed()) return worst;
+  const Trajectory& law = prescribed.seam_time();
+  const auto rate_at = [&law](std::size_t knot) { return law.velocities()[knot][0]; };
+  for (std::size_t i = 1; i + 1 < law.times().size(); ++i) {
+    if (rate_at(i) >= 1 || rate_at(i) > std::min(rate_at(i - 1), rate_at(i + 1))) continue;
+    const double t = run.real_time(law.positions()[i][0]);
+    worst.raise(run.speed_ratio(t) - rate_at(i), t, run.speed_ratio(t));
+  }
+  return worst;
+}
+
 /// How far below the prescribed rate at the same place of the seam.
 Worst slowest(const Task& prescribed, const Task& run) {
   Worst worst;
@@ -74,10 +88,13 @@ std::vector<std::string> pace_failures(const Task& prescribed, const Task& run) 
   std::vector<std::string> failures;
   const Worst fast = fastest(run.seam.seam_time());
   if (fast.excess > kRateTolerance) failures.push_back(text::too_fast(fast.time, fast.rate));
+  const Worst corner = fastest_at_corners(prescribed.seam, run.seam);
+  if (corner.excess > kRateTolerance)
+    failures.push_back(text::off_pace(corner.time, corner.rate, corner.rate - corner.excess));
   if (prescribed.speed_policy == SpeedPolicy::slow) return failures;
   const Worst slow = slowest(prescribed, run);
   if (slow.excess > kRateTolerance)
-    failures.push_back(text::too_slow(slow.time, slow.rate, slow.rate + slow.excess));
+    failures.push_back(text::off_pace(slow.time, slow.rate, slow.rate + slow.excess));
   return failures;
 }
 
