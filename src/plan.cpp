@@ -26,6 +26,8 @@ constexpr double kAnySpeed = 1e4;  // times the time: no joint is too slow for a
 constexpr const char* kStoppedEarly =
     "stage 2 was stopped before its end; this is its best trajectory until then";
 
+constexpr std::size_t kMovesOfACheapSearch = 5000;  ///< checked; more paths cost as much each
+
 VerificationOptions verification_options(const Problem& problem, const PlanOptions& options) {
   VerificationOptions verification = options.verification;
   verification.clearance_epsilon = problem.refine.clearance_epsilon;
@@ -138,7 +140,8 @@ class Pipeline {
   /// Stage 2; where none of the seeds can be refined it tries more of them.
   Refined refine_best_seed(const Task& task) {
     Refined best = refined(task, result_.seeds);
-    if (!best.feasible && !best.stopped && problem_.graph.spare_seeds > 0)
+    const bool cheap = result_.graph.edges_checked <= kMovesOfACheapSearch;
+    if (!best.feasible && !best.stopped && problem_.graph.spare_seeds > 0 && cheap)
       try_spare_seeds(task, best);
     return best;
   }

@@ -11,6 +11,7 @@ namespace {
 constexpr double kGrowth = 10;     ///< of mu in a round that gains too little
 constexpr double kMuRange = 1e12;  ///< largest mu / first mu
 constexpr double kFloor = 1e-4;    ///< m and rad; a violation that stalls below this wants knots
+constexpr double kStiff = 1e5;     ///< mu / first mu at which a larger violation may not stall either
 constexpr double kRateShare = 0.1;       ///< first mu of rates, as a share of the objective
 constexpr double kRateTolerance = 5e-4;  ///< of rates, half the margin they are kept by
 constexpr double kBand = 0.02;           ///< m; pairs that are nearer than this get a constraint
@@ -25,7 +26,8 @@ void AugmentedLagrangian::Group::raise(double value) { violation = std::max(viol
 /// not help any more.
 bool AugmentedLagrangian::Group::tighten() {
   const bool stalls = violation > 0.5 * best_violation;
-  stalled = stalls && violation < kFloor ? stalled + 1 : 0;
+  const bool counts = violation < kFloor || mu >= kStiff * first_mu;
+  stalled = stalls && counts ? stalled + 1 : 0;
   if (mu >= kMuRange * first_mu || stalled >= kStalledRounds) return false;
   if (violation > 0.1 * best_violation) mu *= kGrowth;
   best_violation = std::min(best_violation, violation);

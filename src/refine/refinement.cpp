@@ -134,7 +134,8 @@ class Attempt {
       });
       if (ending == Ending::stopped || ending == Ending::out_of_rounds) return ending;
       if (ending != Ending::converged) {
-        if (++splits > kMostSplits || !split_spans()) return ending;
+        const bool hopeless = ending == Ending::unmet && splits > 0;
+        if (hopeless || ++splits > kMostSplits || !split_spans()) return ending;
         continue;
       }
       if (!add_points()) return ending;
