@@ -24,7 +24,7 @@ constexpr double kWatched = 0.8;      // of a limit; from here on a sample gets 
 constexpr double kSettled = 1e-4;     // relative change of the time
 constexpr int kReach = 40;            // samples before and after one that is near a limit
 constexpr int kMostPasses = 30;       // of the convex approximation
-constexpr double kLeastShare = 0.02;  // of the way to an approximation's optimum
+constexpr int kMostHalvings = 6;      // of the way to an approximation's optimum
 constexpr int kMostCorrections = 6;   // where a limit is broken between the samples
 constexpr double kCorrection = 0.98;  // more than what is needed
 constexpr std::array<double, 5> kSamples = {1e-3, 0.25, 0.5, 0.75, 0.999};  // of a stretch
@@ -111,20 +111,20 @@ class SpeedProfile {
     return b;
   }
 
-  /// d^k b / d tau^k at a sample.
-  double value(const Sample& sample, int derivative) const {
+  /// d^k b / d tau^k.
+  double value(const SplineBasis::Values& basis, int derivative) const {
+    const auto first = static_cast<std::size_t>(basis.first);
     double sum = 0;
     for (int m = 0; m < SplineBasis::kLocal; ++m) {
-      sum += sample.basis.derivatives(m, derivative) *
-             b_[static_cast<std::size_t>(sample.basis.first + m)];
+      sum += basis.derivatives(m, derivative) * b_[first + static_cast<std::size_t>(m)];
     }
     return sum;
   }
 
   /// Derivatives 1 to 3 of the law at a sample.
   Eigen::Vector3d law_at(const Sample& sample) const {
-    const double u = std::sqrt(value(sample, 0));
-    return {u, 0.5 * value(sample, 1), 0.5 * u * value(sample, 2)};
+    const double u = std::sqrt(value(sample.basis, 0));
+    return {u, 0.5 * value(sample.basis, 1), 0.5 * u * value(sample.basis, 2)};
   }
 
   /// From what each sample allows by itself. Where that ends in a local optimum worse than the
@@ -146,7 +146,7 @@ class SpeedProfile {
       const std::vector<double> best = maximise(gains(around), rows(around), start(around));
       const double last =
           std::exchange(time, more || pass == 0 ? take(best, 1) : take_share(best, time));
-      for (std::size_t i = 0; i < samples_.size(); ++i) around[i] = value(samples_[i], 0);
+      for (std::size_t i = 0; i < samples_.size(); ++i) around[i] = value(samples_[i].basis, 0);
       if (!more && std::abs(time - last) <= kSettled * time) break;
     }
     return time;
@@ -156,9 +156,9 @@ class SpeedProfile {
   /// time: the largest share of it, by halving, that saves time.
   double take_share(const std::vector<double>& best, double time) {
     const std::vector<double> from = b_;
-    for (double share = 1; share > kLeastShare; share *= 0.5) {
+    for (int halvings = 0; halvings < kMostHalvings; ++halvings) {
       b_ = from;
-      const double after = take(best, share);
+      const double after = take(best, std::ldexp(1.0, -halvings));
       if (after < time) return after;
     }
     b_ = from;
@@ -168,7 +168,7 @@ class SpeedProfile {
   double take(const std::vector<double>& to, double share) {
     for (std::size_t i = 0; i < b_.size(); ++i) b_[i] += share * (to[i] - b_[i]);
     double time = 0;
-    for (const Sample& sample : samples_) time += width(sample) / std::sqrt(value(sample, 0));
+    for (const Sample& sample : samples_) time += width(sample) / std::sqrt(value(sample.basis, 0));
     return time;
   }
 
@@ -204,9 +204,9 @@ class SpeedProfile {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const Sample& sample = samples_[i];
       const double factor = width(sample) * std::pow(around[i], -1.5);
+      const auto first = static_cast<std::size_t>(sample.basis.first);
       for (int m = 0; m < SplineBasis::kLocal; ++m) {
-        gains[static_cast<std::size_t>(sample.basis.first + m)] +=
-            factor * sample.basis.derivatives(m, 0);
+        gains[first + static_cast<std::size_t>(m)] += factor * sample.basis.derivatives(m, 0);
       }
     }
     return gains;
@@ -289,14 +289,6 @@ class SpeedProfile {
     return std::vector<double>(b_.size(), 0.5 * least);
   }
 
-  double squared_speed(const SplineBasis::Values& basis, int derivative) const {
-    double sum = 0;
-    for (int m = 0; m < SplineBasis::kLocal; ++m) {
-      sum += basis.derivatives(m, derivative) * b_[static_cast<std::size_t>(basis.first + m)];
-    }
-    return sum;
-  }
-
   Trajectory time_law() const {
     std::vector<JointVector> positions, velocities, accelerations;
     const auto add = [](std::vector<JointVector>& list, double value) {
@@ -305,8 +297,8 @@ class SpeedProfile {
     for (const double tau : stretches_) {
       const SplineBasis::Values basis = basis_.at(tau);
       add(positions, tau);
-      add(velocities, std::sqrt(squared_speed(basis, 0)));
-      add(accelerations, 0.5 * squared_speed(basis, 1));
+      add(velocities, std::sqrt(value(basis, 0)));
+      add(accelerations, 0.5 * value(basis, 1));
     }
     return {real_times(), std::move(positions), std::move(velocities), std::move(accelerations)};
   }
@@ -317,7 +309,7 @@ class SpeedProfile {
     for (std::size_t i = 0; i + 1 < stretches_.size(); ++i) {
       double step = 0;
       for (const QuadraturePoint& point : gauss_points({stretches_[i], stretches_[i + 1]})) {
-        step += point.weight / std::sqrt(squared_speed(basis_.at(point.time), 0));
+        step += point.weight / std::sqrt(value(basis_.at(point.time), 0));
       }
       times.push_back(times.back() + step);
     }
