@@ -10,6 +10,7 @@
 #include "refine/gauss_quadrature.hpp"
 #include "refine/spline.hpp"
 #include "timing/banded_program.hpp"
+#include "timing/subdivision.hpp"
 #include "timing/uniform_speed.hpp"
 #include "wristwise/error.hpp"
 
@@ -18,9 +19,11 @@ namespace wristwise {
 namespace {
 
 constexpr double kDefaultSpans = 200;
+constexpr double kMostSpans = 1e5;
 constexpr double kGrowth = 2;         // of the squared speed from one control point to the next
 constexpr double kInside = 0.995;     // of the margin: the rows hold at samples only
 constexpr double kWatched = 0.8;      // of a limit; from here on a sample gets its rows
+constexpr double kRoundOff = 1e-9;    // of a speed
 constexpr double kSettled = 1e-4;     // relative change of the time
 constexpr int kReach = 40;            // samples before and after one that is near a limit
 constexpr int kMostPasses = 30;       // of the convex approximation
@@ -38,18 +41,6 @@ void validate(const Trajectory& motion, const Rates& limits, const SpeedProfileO
     throw InvalidInput("margin", std::to_string(options.margin), "more than 0, at most 1");
   if (!(options.spacing >= 0) || !std::isfinite(options.spacing))
     throw InvalidInput("spacing", std::to_string(options.spacing), "0 or a time");
-}
-
-/// `times`, and between them so many more that none is farther from the next than `spacing`.
-std::vector<double> subdivided(const std::vector<double>& times, double spacing) {
-  std::vector<double> finer = {times.front()};
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-    const double step = times[i + 1] - times[i];
-    const int count = std::max(1, static_cast<int>(std::ceil(step / spacing - 1e-9)));
-    for (int k = 1; k < count; ++k) finer.push_back(times[i] + step * k / count);
-    finer.push_back(times[i + 1]);
-  }
-  return finer;
 }
 
 /// A time at which the limits are held, and the basis of b there.
@@ -70,9 +61,11 @@ class SpeedProfile {
       : motion_(motion),
         limits_(limits),
         margin_(options.margin),
-        spacing_(options.spacing > 0 ? options.spacing : duration() / kDefaultSpans),
+        spacing_(options.spacing > 0 ? std::max(options.spacing, duration() / kMostSpans)
+                                     : duration() / kDefaultSpans),
         stretches_(subdivided(motion.times(), spacing_)),
-        basis_(choose_breakpoints(stretches_, spacing_)),
+        knots_(options.only_motion_times ? motion.times() : stretches_),
+        basis_(choose_breakpoints(knots_, spacing_)),
         shares_(stretches_.size() - 1, kInside * margin_),
         b_(static_cast<std::size_t>(basis_.control_count()), 1.0) {}
 
@@ -291,60 +284,76 @@ class SpeedProfile {
 
   Trajectory time_law() const {
     std::vector<JointVector> positions, velocities, accelerations;
-    const auto add = [](std::vector<JointVector>& list, double value) {
-      list.push_back(JointVector::Constant(1, value));
-    };
-    for (const double tau : stretches_) {
+    for (const double tau : knots_) {
       const SplineBasis::Values basis = basis_.at(tau);
-      add(positions, tau);
-      add(velocities, std::sqrt(value(basis, 0)));
-      add(accelerations, 0.5 * value(basis, 1));
+      positions.emplace_back(JointVector::Constant(1, tau));
+      velocities.emplace_back(JointVector::Constant(1, std::sqrt(value(basis, 0))));
+      accelerations.emplace_back(JointVector::Constant(1, 0.5 * value(basis, 1)));
     }
     return {real_times(), std::move(positions), std::move(velocities), std::move(accelerations)};
   }
 
-  /// At the ends of the stretches.
+  /// At the knots.
   std::vector<double> real_times() const {
-    std::vector<double> times = {stretches_.front()};
+    std::vector<double> times = {knots_.front()};
+    double t = knots_.front();
     for (std::size_t i = 0; i + 1 < stretches_.size(); ++i) {
-      double step = 0;
       for (const QuadraturePoint& point : gauss_points({stretches_[i], stretches_[i + 1]})) {
-        step += point.weight / std::sqrt(value(basis_.at(point.time), 0));
+        t += point.weight / std::sqrt(value(basis_.at(point.time), 0));
       }
-      times.push_back(times.back() + step);
+      if (stretches_[i + 1] == knots_[times.size()]) times.push_back(t);
     }
     return times;
   }
 
-  /// |rates| / (margin x limits) along the law, the largest of the joints, at a share of its piece.
-  Eigen::RowVector3d excess(const Trajectory& law, std::size_t piece, double share) const {
-    const double t0 = law.times()[piece], t1 = law.times()[piece + 1];
-    const double t = t0 + share * (t1 - t0);
+  /// |rates| / (margin x limits) along the law at time t, the largest of the joints.
+  Eigen::RowVector3d excess(const Trajectory& law, double t) const {
     const Rates along =
         along_law(rates_at(motion_, law.evaluate(t)[0]), rates_at(law, t).row(0).transpose());
     return along.cwiseAbs().cwiseQuotient(limits_).colwise().maxCoeff() / margin_;
   }
 
-  /// The factor of time by which the law as a whole is too fast.
-  double largest_slowdown(const Trajectory& law) const {
-    double largest = 0;
-    for (std::size_t i = 0; i < shares_.size(); ++i) {
-      for (const double share : kChecks) {
-        const Eigen::RowVector3d ratio = excess(law, i, share);
-        largest = std::max({largest, ratio[0], std::sqrt(ratio[1]), std::cbrt(ratio[2])});
+  /// Real times at which the law is checked.
+  std::vector<double> check_times(const Trajectory& law) const {
+    std::vector<double> times;
+    for (std::size_t i = 0; i + 1 < law.times().size(); ++i) {
+      const double t0 = law.times()[i], t1 = law.times()[i + 1];
+      const int parts = part_count(knots_[i + 1] - knots_[i], spacing_);
+      for (int part = 0; part < parts; ++part) {
+        for (const double share : kChecks) times.push_back(t0 + (t1 - t0) * (part + share) / parts);
       }
     }
+    return times;
+  }
+
+  /// The factor of time by which the law as a whole is too fast.
+  double largest_slowdown(const Trajectory& law) const {
+    double largest = fastest(law);
+    for (const double t : check_times(law)) {
+      const Eigen::RowVector3d ratio = excess(law, t);
+      largest = std::max({largest, ratio[0], std::sqrt(ratio[1]), std::cbrt(ratio[2])});
+    }
     return largest;
+  }
+
+  /// Of its speeds between the knots, where the quintic may pass 1.
+  static double fastest(const Trajectory& law) {
+    double fastest = 0;
+    for (std::size_t i = 0; i + 1 < law.times().size(); ++i) {
+      JointVector least, largest;
+      law.extremes(i, 1, least, largest);
+      fastest = std::max(fastest, largest[0]);
+    }
+    return fastest > 1 + kRoundOff ? fastest : 0;
   }
 
   /// Around stretches on which the law is too fast.
   void lower_shares(const Trajectory& law) {
     const std::size_t count = shares_.size();
     std::vector<double> largest(count, 0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-      for (const double share : kChecks) {
-        largest[i] = std::max(largest[i], excess(law, i, share).maxCoeff());
-      }
+    for (const double t : check_times(law)) {
+      double& stretch = largest[stretch_at(law.evaluate(t)[0])];
+      stretch = std::max(stretch, excess(law, t).maxCoeff());
     }
     for (std::size_t i = 0; i < count; ++i) {
       const double around = std::max({largest[i - std::min<std::size_t>(i, 1)], largest[i],
@@ -353,11 +362,17 @@ class SpeedProfile {
     }
   }
 
+  std::size_t stretch_at(double tau) const {
+    const auto after = std::upper_bound(stretches_.begin() + 1, stretches_.end() - 1, tau);
+    return static_cast<std::size_t>(after - stretches_.begin()) - 1;
+  }
+
   const Trajectory& motion_;
   const Rates& limits_;
   const double margin_;
   const double spacing_;
-  const std::vector<double> stretches_;  ///< s, ends of the pieces of the law, in the motion's time
+  /// s, in the motion's time: ends of the stretches that are sampled; of the pieces of the law.
+  const std::vector<double> stretches_, knots_;
   const SplineBasis basis_;
   std::vector<double> shares_;  ///< of the limits that may be used, on each stretch
   std::vector<double> b_;       ///< control points

@@ -7,6 +7,9 @@ namespace wristwise {
 struct SpeedProfileOptions {
   double margin = 0.98;  ///< of the limits that the motion may use, in (0, 1]
   double spacing = 0;    ///< s, between breakpoints of the profile; 0: a 200th of the motion
+  /// No times of the law but those of the motion, so that who knows it there knows it everywhere;
+  /// else no farther apart than `spacing`.
+  bool only_motion_times = false;
 };
 
 /// The time law under which a motion keeps its limits: one joint, the motion's own time tau over

@@ -39,7 +39,7 @@ Refined refine_for(const Robot& robot, const Task& task, const RefinementInput& 
 Trajectory slower_law(const RefinementInput& input, const Trajectory& motion, Slowing slowing) {
   const double duration = motion.times().back() - motion.times().front();
   const double spacing = std::min(duration / slowing.spans, 0.4 * input.options.smoothing_time);
-  return speed_profile(motion, rate_limits(input.robot), {slowing.margin, spacing});
+  return speed_profile(motion, rate_limits(input.robot), {slowing.margin, spacing, true});
 }
 
 /// The motion without limits run slower, then refined under them; gentler where that fails.

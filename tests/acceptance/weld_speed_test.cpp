@@ -118,6 +118,43 @@ TEST(WeldSpeed, IsHeldButForTheSingularity) {
   }
 }
 
+/// The slower law is on top of the problem's own: a stop at a corner stays, nothing gets faster,
+/// and the file that is written passes the check.
+TEST(WeldSpeed, IsSlowedBesideACornerThatStops) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "problem.yaml";
+  std::string text = seam_text(kSpeed, "  speed_policy: slow\n  corners: stop\n");
+  const std::string end =
+      "to: {xyz: [0.820654462064, 0.25, 0.273565462757], rpy: [0, 180 deg, 0]}\n";
+  const std::string corner =
+      "{xyz: [0.820654462064, 0.15, 0.273565462757], rpy: [0, 180 deg, 0]}\n";
+  text.replace(
+      text.find(end), end.size(),
+      "to: " + corner + "    - line:\n        from: " + corner +
+          "        to: {xyz: [0.900654462064, 0.15, 0.273565462757], rpy: [0, 180 deg, 0]}\n");
+  std::ofstream(file) << text;
+  const Problem problem = load_problem(file);
+  const PlanResult result = plan(problem);
+  ASSERT_EQ(result.status, Status::solved);
+  ASSERT_FALSE(result.slowed.empty());
+
+  const Seam& own = problem.task.seam;
+  const Seam slowed = own.retimed(result.seam_time);
+  for (double nominal = own.pieces().front().start_time; nominal < own.pieces().back().end_time;
+       nominal += 0.003) {
+    EXPECT_LE(slowed.speed_ratio(slowed.real_time(nominal)),
+              own.speed_ratio(own.real_time(nominal)) + 1e-3);
+  }
+  const double at_corner = own.pieces().front().end_time;
+  EXPECT_NEAR(slowed.speed_ratio(slowed.real_time(at_corner)), 0, 1e-3);
+
+  std::vector<std::string> names;
+  for (const Joint& joint : problem.robot->joints()) names.push_back(joint.name);
+  write_trajectory(folder.path() / "trajectory.csv", names, result.trajectory,
+                   SeamColumns(problem.task.retimed(result.seam_time)));
+  EXPECT_TRUE(check(problem, read_trajectory(folder.path() / "trajectory.csv", names)).passed);
+}
+
 /// 100 times: no move of the grid is slow enough, in stage 1 already.
 TEST(WeldSpeed, OfAHundredTimesIsSlowedToo) {
   const PlanResult result = plan(seam_problem(1, "  speed_policy: slow\n"));
@@ -134,6 +171,22 @@ TEST(WeldSpeed, ThatCanBeHeldIsHeld) {
   EXPECT_EQ(result.status, Status::solved);
   EXPECT_TRUE(result.seam_time.empty());
   EXPECT_TRUE(result.slowed.empty());
+}
+
+TEST(WeldSpeed, OfAPathToSmoothIsNamedAsWell) {
+  Problem problem = seam_problem(kSpeed);
+  problem.refine.try_speeds = false;
+  const PlanResult planned = plan(problem);
+  ASSERT_FALSE(planned.seeds.empty());
+  JointPath seed = planned.seeds.front().path;
+  problem.refine.try_speeds = true;
+  const PlanResult result = smooth(problem, seed);
+  EXPECT_EQ(result.status, Status::infeasible);
+  EXPECT_EQ(result.diagnosis.front().reason, "infeasible_at_this_speed");
+  const double speed = suggested_speed(result.diagnosis.front());
+  ASSERT_GT(speed, 0.02);
+  for (double& t : seed.times) t *= kSpeed / speed;
+  EXPECT_EQ(smooth(seam_problem(speed), seed).status, Status::solved);
 }
 
 TEST(WeldSpeed, IsNotWhatIsInTheWayOfAPostureOutOfReach) {
