@@ -30,10 +30,13 @@ double weld_speed(const Seam& seam, double t) {
   return piece.length() / (piece.end_time - piece.start_time);
 }
 
-/// With four digits, not more than it is.
-std::string rounded_down(double value) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
-  return fmt::format("{:.4g}", unit * std::floor(value / unit));
+/// The factor, not less, at which the weld speed is a number of three digits: what is tried is what
+/// is said.
+double with_round_speed(double speed, double factor) {
+  if (!(speed > 0)) return factor;
+  const double unit = std::pow(10, std::floor(std::log10(speed / factor)) - 2);
+  const double round = unit * std::floor(speed / factor / unit * (1 + 1e-12));
+  return speed / round;
 }
 
 std::string other_help(const Task& task) {
@@ -58,8 +61,7 @@ std::string suggest_speed(const Task& task, const UniformSlowdown& too_fast,
                           std::optional<double> factor) {
   if (!factor) return "no uniform speed that was tried works; try others" + other_help(task);
   const double speed = weld_speed(task.seam, too_fast.time);
-  const std::string absolute =
-      speed > 0 ? fmt::format("{} m/s, ", rounded_down(speed / *factor)) : "";
+  const std::string absolute = speed > 0 ? fmt::format("{:.3g} m/s, ", speed / *factor) : "";
   return fmt::format(
       "the highest uniform speed that works, found by trying to 2%, is {}{:.3g}% of the weld "
       "speed{}",
@@ -94,9 +96,13 @@ Diagnosis diagnose_speed(const Problem& problem, const Task& task, const Uniform
                          const PlanOptions& options, const SlowerTrial& trial) {
   Diagnosis diagnosis = describe(*problem.robot, task, too_fast);
   if (problem.refine.try_speeds) {
-    const auto works = [&](double factor) { return is_solved(problem, factor, options, trial); };
-    diagnosis.suggestion =
-        suggest_speed(task, too_fast, least_working_factor(works, too_fast.factor));
+    const double speed = weld_speed(task.seam, too_fast.time);
+    const auto works = [&](double factor) {
+      return is_solved(problem, with_round_speed(speed, factor), options, trial);
+    };
+    std::optional<double> least = least_working_factor(works, too_fast.factor);
+    if (least) least = with_round_speed(speed, *least);
+    diagnosis.suggestion = suggest_speed(task, too_fast, least);
   }
   return diagnosis;
 }
