@@ -95,6 +95,8 @@ struct RefineOptions {
   int max_iterations = 40;      ///< of the inner solver in a round
   double constraint_tolerance = 5e-7;  ///< m and rad, of the constraints at the points they hold at
   double clearance_epsilon = 5e-5;     ///< m kept in hand, so that the clearance holds for all t
+  /// Where the weld speed can't be held, find by trying the highest uniform speed that works.
+  bool try_speeds = true;
   /// s; after it the best motion so far that holds everything is taken. Infinity: none. With a
   /// limit the result depends on the machine.
   double time_limit = std::numeric_limits<double>::infinity();
