@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "benchmark_problems.hpp"
+#include "refine/breakpoints.hpp"
 #include "refine/dip_search.hpp"
 
 namespace wristwise::benchmarks {
