@@ -188,7 +188,7 @@ double ClearanceSearch::bend(int pair, const MotionPiece::Polynomials& joints) c
 PairDistance ClearanceSearch::measure(int pair, const JointVector& q) {
   ++postures_;
   checker_.set_posture(q);
-  const PairDistance measured = checker_.distance(pair);
+  PairDistance measured = checker_.distance(pair);
   const ClearanceModel::Pair& p = checker_.model().pairs()[static_cast<std::size_t>(pair)];
   const auto& bodies = checker_.model().bodies();
   const int joint_a = bodies[static_cast<std::size_t>(p.body_a)].joint;

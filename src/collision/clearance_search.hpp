@@ -51,7 +51,7 @@ class ClearanceSearch {
   };
   struct Span {
     const MotionPiece& piece;
-    int pair;
+    int pair = -1;
     const Instant& first;
     const Instant& last;
     int depth = 0;

@@ -83,7 +83,7 @@ bool DeviationEnclosure::inside(const ToleranceBox& box) const {
   const auto bounds = [&](std::size_t k) {
     return std::pair(box.lower[3 + order_[k]], box.upper[3 + order_[k]]);
   };
-  for (const std::size_t k : {0, 2}) {
+  for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
     if (box_.is_free(3 + order_[k])) continue;
     const auto [lower, upper] = bounds(k);
     if (!(k == 0 ? first_ : last_).inside(lower, upper)) return false;

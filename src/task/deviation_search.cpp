@@ -46,9 +46,9 @@ class Search {
     const double angle = wants_bounds() ? enclosed.angle() : 0;
     if (!shown || is_loose(distance, angle)) {
       sample(0.5 * (t0 + t1), joints.col(0));
-      const bool settled =
-          depth >= kDeepest || (shown ? depth >= kDeepestForBounds || !is_loose(distance, angle)
-                                      : is_no_worse(enclosed));
+      const bool settled = depth >= kDeepest || finding_.samples >= kMostSamples ||
+                           (shown ? depth >= kDeepestForBounds || !is_loose(distance, angle)
+                                  : is_no_worse(enclosed));
       if (!settled) {
         const double middle = 0.5 * (t0 + t1);
         settle(t0, middle, depth + 1);
