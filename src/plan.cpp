@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "cancelled.hpp"
@@ -10,12 +11,18 @@
 #include "refine/seed_refinement.hpp"
 #include "smoothing/whole_turns.hpp"
 #include "stopwatch.hpp"
+#include "timing/retiming.hpp"
+#include "timing/slowed_stretches.hpp"
+#include "timing/speed_diagnosis.hpp"
+#include "timing/weld_speed.hpp"
 #include "verify/pace_check.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
 
 namespace {
+
+constexpr double kAnySpeed = 1e4;  // times the time: no joint is too slow for a move
 
 constexpr const char* kStoppedEarly =
     "stage 2 was stopped before its end; this is its best trajectory until then";
@@ -45,9 +52,15 @@ class Pipeline {
     return run([this] {
       prepare();
       if (!find_seeds(problem_.task, problem_.graph)) return;
-      if (result_.mode == Mode::two_stage) refine_best_seed(problem_.task);
-      verify_result(problem_.task);
-      if (result_.mode == Mode::two_stage) keep_seed_if_better(problem_.task);
+      if (result_.mode == Mode::graph_only) return verify_result(problem_.task);
+      Refined refined = refine_best_seed(problem_.task);
+      std::vector<JointPath> seeds;
+      for (const Seed& seed : result_.seeds) seeds.push_back(seed.path);
+      conclude(problem_.task, std::move(refined), seeds,
+               [](const Problem& slower, double, const PlanOptions& quiet) {
+                 return wristwise::plan(slower, quiet);
+               });
+      keep_seed_if_better(problem_.task);
     });
   }
 
@@ -60,8 +73,14 @@ class Pipeline {
       const Task task = problem_.task.with_waypoints_at(path.times);
       result_.path = std::move(unwrapped.path);
       check_given_path(task);
-      refine_path(task);
-      verify_result(task);
+      const JointPath given = result_.path;
+      conclude(task, refine_path(task, given), {given},
+               [&](const Problem& slower, double factor, const PlanOptions& quiet) {
+                 JointPath slow = given;
+                 const double start = problem_.task.seam.start_time();
+                 for (double& t : slow.times) t = start + factor * (t - start);
+                 return wristwise::smooth(slower, slow, quiet);
+               });
     });
   }
 
@@ -91,8 +110,7 @@ class Pipeline {
   bool find_seeds(const Task& task, const GraphOptions& graph) {
     const auto ik = inverse_kinematics();
     const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, graph};
-    GraphPlan plan = plan_graph(input, task, verification_.clearance_epsilon, threads_,
-                                options_.monitor, result_.timing);
+    GraphPlan plan = find_paths(input, task);
     result_.graph = std::move(plan.statistics);
     result_.seeds = std::move(plan.seeds);
     if (!result_.seeds.empty()) result_.path = result_.seeds.front().path;
@@ -100,6 +118,22 @@ class Pipeline {
     result_.status = Status::infeasible;
     if (plan.diagnosis) result_.diagnosis.push_back(*plan.diagnosis);
     return false;
+  }
+
+  /// Where moves are too fast at weld speed, stage 2 starts from a path at any speed: it says which
+  /// speed works, or slows down.
+  GraphPlan find_paths(const SamplingInput& input, const Task& task) {
+    const auto find = [&](const Task& timed, Help help) {
+      return plan_graph(input, timed, verification_.clearance_epsilon, threads_, options_.monitor,
+                        result_.timing, help);
+    };
+    if (result_.mode == Mode::graph_only) return find(task, Help::always);
+    GraphPlan plan = find(task, Help::unless_speeds);
+    if (plan.found || !is_too_fast(plan)) return plan;
+    plan = find(stretched(task, kAnySpeed), Help::unless_speeds);
+    if (!plan.found) return find(task, Help::always);
+    for (Seed& seed : plan.seeds) seed.path = at_waypoints_of(task, std::move(seed.path));
+    return plan;
   }
 
   std::shared_ptr<const InverseKinematics> inverse_kinematics() {
@@ -114,12 +148,12 @@ class Pipeline {
   }
 
   /// Stage 2; where none of the seeds can be refined it tries more of them.
-  void refine_best_seed(const Task& task) {
+  Refined refine_best_seed(const Task& task) {
     Refined best = refined(task, result_.seeds);
     const bool cheap = result_.graph.edges_checked <= kMovesOfACheapSearch;
     if (!best.feasible && !best.stopped && problem_.graph.spare_seeds > 0 && cheap)
       try_spare_seeds(task, best);
-    keep(std::move(best));
+    return best;
   }
 
   Refined refined(const Task& task, std::vector<Seed>& seeds) {
@@ -143,9 +177,43 @@ class Pipeline {
     result_.seeds = std::move(tried);
   }
 
-  void refine_path(const Task& task) {
+  Refined refine_path(const Task& task, const JointPath& path) {
     const Stopwatch watch(result_.timing.refine);
-    keep(refine(refinement_input(task), result_.path));
+    return refine(refinement_input(task), path);
+  }
+
+  /// Keeps and checks what stage 2 made of the seeds, at another speed where that is in the way.
+  void conclude(const Task& task, Refined refined, const std::vector<JointPath>& seeds,
+                const SlowerTrial& trial) {
+    std::optional<SpeedRefined> other;
+    if (!refined.feasible && !refined.stopped) other = refine_at_other_speed(task, seeds);
+    keep(other ? std::move(other->refined) : std::move(refined));
+    if (other) note_speed(*other);
+    verify_result(other ? other->task : task);
+    if (!other || !other->too_fast || !fails_by_rates_only(result_.verification)) return;
+    const Stopwatch watch(result_.timing.refine);
+    result_.status = Status::infeasible;
+    result_.diagnosis.insert(result_.diagnosis.begin(),
+                             diagnose_speed(problem_, task, *other->too_fast, options_, trial));
+  }
+
+  std::optional<SpeedRefined> refine_at_other_speed(const Task& task,
+                                                    const std::vector<JointPath>& seeds) {
+    const Stopwatch watch(result_.timing.refine);
+    const auto passes = [this](const Task& timed, const Trajectory& motion) {
+      return verify(timed, clearance_, motion, verification_).passed;
+    };
+    for (const JointPath& seed : seeds) {
+      auto other = wristwise::refine_at_other_speed(refinement_input(task), seed, passes);
+      if (other) return other;
+    }
+    return std::nullopt;
+  }
+
+  void note_speed(const SpeedRefined& other) {
+    if (other.law.empty()) return;
+    result_.seam_time = other.task.seam.seam_time();
+    result_.slowed = slowed_stretches(other.law, result_.trajectory, rate_limits(*problem_.robot));
   }
 
   RefinementInput refinement_input(const Task& task) const {
@@ -190,7 +258,7 @@ class Pipeline {
   /// Where the trajectory of stage 2 does not pass and the path of stage 1 does, as points, the
   /// path is what is returned. It is not what was asked for: the result stays failed.
   void keep_seed_if_better(const Task& task) {
-    if (result_.verification.passed) return;
+    if (result_.status != Status::failed) return;
     const JointPath& seed = result_.seeds.front().path;
     const Verification of_seed = verify(task, clearance_, seed, verification_);
     if (!of_seed.passed) return;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace wristwise {
 namespace {
 
@@ -24,6 +27,29 @@ TEST(EveryNth, KeepsTheEndsAndIsNested) {
   EXPECT_EQ(every_nth(fine, 4), (std::vector<double>{0, 5, 10}));
   EXPECT_EQ(every_nth(fine, 100), (std::vector<double>{0, 10}));
   EXPECT_EQ(every_nth(fine, 1), fine);
+}
+
+TEST(Graded, IsFineAtTheCentresAndNoFinerElsewhere) {
+  std::vector<double> even;
+  for (int i = 0; i <= 20; ++i) even.push_back(i);
+  EXPECT_EQ(graded(even, {}, 0.1), even);
+  const auto breakpoints = graded(even, {7.3, 7.45, 15}, 0.1);
+  EXPECT_EQ(breakpoints.front(), 0);
+  EXPECT_EQ(breakpoints.back(), 20);
+  for (const double centre : {7.3, 7.45, 15.0}) {
+    const auto place = std::find(breakpoints.begin(), breakpoints.end(), centre);
+    ASSERT_NE(place, breakpoints.end()) << centre;
+    EXPECT_LE(*std::next(place) - centre, 0.16);
+    EXPECT_LE(centre - *std::prev(place), 0.16);
+  }
+  for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+    const double width = breakpoints[i + 1] - breakpoints[i];
+    EXPECT_GE(width, 0.0499);
+    EXPECT_LE(width, 1.7);
+    if (i == 0) continue;
+    EXPECT_LE(width / (breakpoints[i] - breakpoints[i - 1]), 3.5) << breakpoints[i];
+  }
+  EXPECT_LT(breakpoints.size(), 60U);
 }
 
 TEST(SplitInHalves, SplitsWhereItIsAsked) {

@@ -79,7 +79,7 @@ class CommandLine : public testing::Test {
 };
 
 TEST_F(CommandLine, MistakesInTheProblemAreInvalidInput) {
-  expect_invalid_problem("speed", "sped", {"p.yaml:8", "path.sped", "'speed'"});
+  expect_invalid_problem("  speed:", "  sped:", {"p.yaml:8", "path.sped", "'speed'"});
   expect_invalid_problem("speed: 0.01", "speed: 0", {"p.yaml:8", "path.speed"});
   expect_invalid_problem("speed: 0.01", "speed: -1", {"p.yaml:8", "path.speed"});
   expect_invalid_problem("speed: 0.01", "speed: .nan", {"p.yaml:8", "path.speed"});

@@ -48,7 +48,7 @@ path:
     between: [0.2 mm, 0.2 deg]
 cost: {joint_motion: 2, acceleration: 3, jerk: 4, euler: {graph: 5, refine: 6, eta: 7}, joint_weights: [1, 2, 3]}
 graph: {samples: {rx: 5 deg, work_angle: 0.1, rz: 10 deg, z: 1 mm}, turns: principal, planner: dense}
-refine: {smoothing_time: 1.5, knot_spacing: 200 ms, max_rounds: 7, max_iterations: 8, constraint_tolerance: 1e-8, clearance_epsilon: 0.1 mm}
+refine: {smoothing_time: 1.5, knot_spacing: 200 ms, max_rounds: 7, max_iterations: 8, constraint_tolerance: 1e-8, clearance_epsilon: 0.1 mm, try_speeds: false}
 controller: {period: 8 ms}
 )";
 
@@ -126,6 +126,7 @@ TEST_F(ProblemFile, EveryKeyIsRead) {
   EXPECT_EQ(problem.refine.max_iterations, 8);
   EXPECT_EQ(problem.refine.constraint_tolerance, 1e-8);
   EXPECT_EQ(problem.refine.clearance_epsilon, 0.0001);
+  EXPECT_FALSE(problem.refine.try_speeds);
   EXPECT_EQ(problem.controller_period, 0.008);
 }
 

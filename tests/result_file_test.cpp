@@ -56,6 +56,20 @@ void expect_first_keys(const Json& json, const std::vector<std::string>& expecte
   EXPECT_EQ(found, expected);
 }
 
+TEST(ResultFile, SaysWhereTheWeldIsSlowed) {
+  PlanResult result = parabola();
+  Json held = Json::parse(result_json(result, slider_problem()))["speed_held"];
+  EXPECT_EQ(held["slowest"], 1);
+  EXPECT_TRUE(held["slowed"].empty());
+  result.slowed = {{0.5, 1.5, 0.25, 0}, {2, 3, 0.75, 0}};
+  held = Json::parse(result_json(result, slider_problem()))["speed_held"];
+  EXPECT_EQ(held["slowest"], 0.25);
+  ASSERT_EQ(held["slowed"].size(), 2U);
+  EXPECT_EQ(held["slowed"][0],
+            Json({{"from_s", 0.5}, {"to_s", 1.5}, {"least_ratio", 0.25}, {"joint", "slide"}}));
+  EXPECT_EQ(held["slowed"][1]["to_s"], 3);
+}
+
 TEST(ResultFile, HasTheKeysOfTheContract) {
   PlanResult result = parabola();
   result.mode = Mode::smooth;  // the rows are the waypoints

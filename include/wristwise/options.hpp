@@ -91,10 +91,12 @@ struct RefineOptions {
   double smoothing_time = 2.5;  ///< tau, s: motion is ironed over about this long
   double knot_spacing = 0;      ///< s between knots; 0: 0.4 tau, but at least 100 spans where
                                 ///< there are waypoints to put them on
-  int max_rounds = 30;          ///< of the augmented Lagrangian
+  int max_rounds = 60;          ///< of the augmented Lagrangian
   int max_iterations = 40;      ///< of the inner solver in a round
   double constraint_tolerance = 5e-7;  ///< m and rad, of the constraints at the points they hold at
   double clearance_epsilon = 5e-5;     ///< m kept in hand, so that the clearance holds for all t
+  /// Where the weld speed can't be held, find by trying the highest uniform speed that works.
+  bool try_speeds = true;
   /// s; after it the best motion so far that holds everything is taken. Infinity: none. With a
   /// limit the result depends on the machine.
   double time_limit = std::numeric_limits<double>::infinity();

@@ -113,6 +113,14 @@ struct RefineStatistics {
   std::vector<ActiveConstraint> active;  ///< the most costly first
 };
 
+/// A stretch of the weld that is run slower than the problem's times, because the joints can't keep
+/// up.
+struct SlowedStretch {
+  double from = 0, to = 0;  ///< s
+  double least_ratio = 1;   ///< of the problem's speed
+  int joint = -1;           ///< the one that is nearest to its limits there
+};
+
 struct Timing {  ///< s
   double load = 0, sampling = 0, search = 0, refine = 0, verify = 0, total = 0;
 };
@@ -130,6 +138,7 @@ struct PlanResult {
   JointPath path;           ///< at the waypoints; may be partial where there is no solution
   Trajectory trajectory;    ///< the curve; empty in graph-only mode
   Trajectory seam_time;     ///< the time law it runs the seam by; empty: that of the problem
+  std::vector<SlowedStretch> slowed;  ///< by SpeedPolicy::slow, in order
   GraphStatistics graph;
   RefineStatistics refine;
   Verification verification;

@@ -130,6 +130,16 @@ std::string note_lines(const PlanResult& result) {
   return text;
 }
 
+std::string slowed_lines(const PlanResult& result, const Problem& problem) {
+  std::string text;
+  for (const SlowedStretch& stretch : result.slowed) {
+    text += fmt::format("slowed: {:.4g} to {:.4g} s, down to {:.3g}% of the weld speed, by {}\n",
+                        stretch.from, stretch.to, 100 * stretch.least_ratio,
+                        problem.robot->joints()[static_cast<std::size_t>(stretch.joint)].name);
+  }
+  return text;
+}
+
 std::string timing_line(const Timing& timing) {
   return fmt::format(
       "time: load {:.3f} s, sampling {:.3f} s, search {:.3f} s, refine {:.3f} s, verify {:.3f} s, "
@@ -147,7 +157,7 @@ std::string summary(const PlanResult& result, const Problem& problem,
   text += graph_lines(result) + refine_lines(result);
   text += result.before ? smoothing_table(result, problem) : peak_lines(result, problem);
   if (result.verification.run) text += verification_table(result.verification, problem);
-  text += note_lines(result) + timing_line(result.timing);
+  text += slowed_lines(result, problem) + note_lines(result) + timing_line(result.timing);
   return text + "written to " + folder.string() + "\n";
 }
 

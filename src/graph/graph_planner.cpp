@@ -35,13 +35,14 @@ Monitor never_back(const Monitor& monitor) {
 class GraphPlanner {
  public:
   GraphPlanner(const SamplingInput& input, const Task& task, double epsilon, int threads,
-               const Monitor& monitor, Timing& timing)
+               const Monitor& monitor, Timing& timing, Help help)
       : input_(input),
         task_(task),
         epsilon_(epsilon),
         threads_(threads),
         monitor_(never_back(monitor)),
-        timing_(timing) {}
+        timing_(timing),
+        help_(help) {}
 
   GraphPlan run() {
     if (input_.options.planner == Planner::sparse) {
@@ -50,7 +51,8 @@ class GraphPlanner {
       run_dense();
     }
     const bool explained = input_.options.planner == Planner::sparse;
-    if (!plan_.found && !explained && plan_.diagnosis && plan_.diagnosis->waypoint) {
+    const bool wanted = help_ == Help::always || !is_too_fast(plan_);
+    if (!plan_.found && !explained && wanted && plan_.diagnosis && plan_.diagnosis->waypoint) {
       look_for_help();
     }
     describe_best();
@@ -115,11 +117,10 @@ class GraphPlanner {
   /// Where there is no path: what would help, and which pieces can be welded.
   void look_for_help() {
     const Stopwatch watch(timing_.search);
-    const auto& counts = plan_.diagnosis->counts;
     std::string help;
     if (input_.options.try_relaxations) {
-      help = smallest_relaxation(input_, task_, *plan_.diagnosis->waypoint,
-                                 counts && counts->too_fast > 0, epsilon_, monitor_);
+      help = smallest_relaxation(input_, task_, *plan_.diagnosis->waypoint, is_too_fast(plan_),
+                                 epsilon_, monitor_);
     }
     if (!help.empty()) plan_.diagnosis->suggestion = help;
     const std::size_t reached = plan_.seeds.empty() ? 0 : plan_.seeds.front().path.size();
@@ -163,7 +164,8 @@ class GraphPlanner {
     GraphOptions options = input_.options;
     options.planner = Planner::dense;
     const SamplingInput dense{input_.robot, input_.ik, input_.clearance, input_.cost, options};
-    const GraphPlan plan = GraphPlanner(dense, task_, epsilon_, threads_, monitor_, timing_).run();
+    const GraphPlan plan =
+        GraphPlanner(dense, task_, epsilon_, threads_, monitor_, timing_, help_).run();
     plan_.diagnosis = plan.diagnosis;
     plan_.statistics.pieces = plan.statistics.pieces;
     if (!plan.found) plan_.seeds = plan.seeds;
@@ -225,14 +227,19 @@ class GraphPlanner {
   const int threads_;
   const Monitor monitor_;
   Timing& timing_;
+  const Help help_;
   GraphPlan plan_;
 };
 
 }  // namespace
 
 GraphPlan plan_graph(const SamplingInput& input, const Task& task, double epsilon, int threads,
-                     const Monitor& monitor, Timing& timing) {
-  return GraphPlanner(input, task, epsilon, threads, monitor, timing).run();
+                     const Monitor& monitor, Timing& timing, Help help) {
+  return GraphPlanner(input, task, epsilon, threads, monitor, timing, help).run();
+}
+
+bool is_too_fast(const GraphPlan& plan) {
+  return plan.diagnosis && plan.diagnosis->counts && plan.diagnosis->counts->too_fast > 0;
 }
 
 }  // namespace wristwise

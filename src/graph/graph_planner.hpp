@@ -16,8 +16,17 @@ struct GraphPlan {
   std::optional<Diagnosis> diagnosis;
 };
 
+/// What to find out where there is no path.
+enum class Help {
+  always,         ///< what would help, and which pieces can be welded
+  unless_speeds,  ///< the same, but not where moves are too fast for a joint
+};
+
 /// Stage 1: samples -> rungs -> paths. @param timing sampling and search are added to
 GraphPlan plan_graph(const SamplingInput& input, const Task& task, double epsilon, int threads,
-                     const Monitor& monitor, Timing& timing);
+                     const Monitor& monitor, Timing& timing, Help help = Help::always);
+
+/// Whether the diagnosis of a plan that found nothing counts moves that are too fast for a joint.
+bool is_too_fast(const GraphPlan& plan);
 
 }  // namespace wristwise

@@ -137,7 +137,7 @@ GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
 
 RefineOptions read_refine(const ConfigReader& reader) {
   reader.expect_keys({"smoothing_time", "knot_spacing", "max_rounds", "max_iterations",
-                      "constraint_tolerance", "clearance_epsilon", "time_limit"});
+                      "constraint_tolerance", "clearance_epsilon", "try_speeds", "time_limit"});
   RefineOptions refine;
   if (const auto value = reader.find("smoothing_time"))
     refine.smoothing_time = value->positive(Quantity::time);
@@ -150,6 +150,8 @@ RefineOptions read_refine(const ConfigReader& reader) {
     refine.constraint_tolerance = value->positive(Quantity::number);
   if (const auto value = reader.find("clearance_epsilon"))
     refine.clearance_epsilon = value->positive(Quantity::length);
+  if (const auto value = reader.find("try_speeds"))
+    refine.try_speeds = value->choice({"true", "false"}) == "true";
   read_limit(reader, "time_limit", Quantity::time, refine.time_limit);
   return refine;
 }

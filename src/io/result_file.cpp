@@ -252,11 +252,23 @@ Json after(const PlanResult& result, const Problem& problem) {
               result.verification, problem);
 }
 
-Json speed_held(const Verification& verification, const Problem& problem) {
+Json speed_held(const PlanResult& result, const Problem& problem) {
+  const Verification& verification = result.verification;
   const bool run = verification.run;
+  Json slowed = Json::array();
+  double slowest = 1;
+  for (const SlowedStretch& stretch : result.slowed) {
+    slowed.push_back({{"from_s", number(stretch.from)},
+                      {"to_s", number(stretch.to)},
+                      {"least_ratio", number(stretch.least_ratio)},
+                      {"joint", joint_name(problem, stretch.joint)}});
+    slowest = std::min(slowest, stretch.least_ratio);
+  }
   return {{"ratio", run ? number(verification.velocity_ratio) : Json(nullptr)},
           {"worst_time_s", run ? number(verification.velocity_time) : Json(nullptr)},
-          {"worst_joint", joint_name(problem, verification.velocity_joint)}};
+          {"worst_joint", joint_name(problem, verification.velocity_joint)},
+          {"slowest", number(slowest)},
+          {"slowed", std::move(slowed)}};
 }
 
 Json counts(const FailureCounts& counts) {
@@ -350,7 +362,7 @@ std::string result_json(const PlanResult& result, const Problem& problem) {
                {"refine", refine(result.refine)},
                {"peaks", peaks(result.path, problem)},
                {"verification", verification_object(result.verification, problem)},
-               {"speed_held", speed_held(result.verification, problem)},
+               {"speed_held", speed_held(result, problem)},
                {"diagnosis", diagnosis(result.diagnosis)},
                {"problem", problem.name},
                {"inverse_kinematics", result.inverse_kinematics},

@@ -1,18 +1,6 @@
 #include "kinematics/tcp_taylor.hpp"
 
-#include <cmath>
-
 namespace wristwise {
-
-namespace {
-
-/// A polynomial of degree 5: its fourth Taylor coefficient at s is c_4 + 5 c_5 s.
-Taylor joint_taylor(const MotionPiece::Polynomials& joints, int j) {
-  return {{joints(j, 0), joints(j, 1), joints(j, 2), joints(j, 3)},
-          std::abs(joints(j, 4)) + 5 * std::abs(joints(j, 5))};
-}
-
-}  // namespace
 
 // The chain of (F5) from the TCP to the base: x <- O_j M_j(q_j) x.
 PoseTaylor tcp_taylor(const Robot& robot, const MotionPiece::Polynomials& joints,
@@ -26,7 +14,7 @@ PoseTaylor tcp_taylor(const Robot& robot, const MotionPiece::Polynomials& joints
   }
   for (int j = robot.joint_count(); j-- > 0;) {
     const Joint& joint = robot.joints()[static_cast<std::size_t>(j)];
-    const Taylor value = joint_taylor(joints, j);
+    const Taylor value = polynomial_taylor(joints, j);
     const Eigen::Matrix3d origin = joint.origin.linear();
     if (joint.type == JointType::prismatic) {
       tcp.position = origin * (tcp.position + along(joint.axis, value));

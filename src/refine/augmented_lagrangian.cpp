@@ -10,26 +10,26 @@ namespace {
 
 constexpr double kGrowth = 10;     ///< of mu in a round that gains too little
 constexpr double kMuRange = 1e12;  ///< largest mu / first mu
-constexpr double kFloor = 1e-4;    ///< m and rad; a violation that stalls below this wants knots
-constexpr double kStiff = 1e5;  ///< mu / first mu at which a larger violation may not stall either
+constexpr double kFloor = 1e-4;      ///< m and rad; places all but hold below this
+constexpr double kSoftening = 1e-3;  ///< of mu after a violation that did not give way
 constexpr double kRateShare = 0.1;       ///< first mu of rates, as a share of the objective
 constexpr double kRateTolerance = 5e-4;  ///< of rates, half the margin they are kept by
 constexpr double kBand = 0.02;           ///< m; pairs that are nearer than this get a constraint
-constexpr int kStalledRounds = 3;
-constexpr int kPatience = 2;  ///< rounds in which the inner solver may run out of iterations
+constexpr double kMoves = 0.05;  ///< relative change of the objective that counts
+constexpr int kPatience = 1;  ///< rounds in which the inner solver may run out of iterations
 
 }  // namespace
 
 void AugmentedLagrangian::Group::raise(double value) { violation = std::max(violation, value); }
 
-/// After a round that left a violation: larger mu where it gained too little. False where that does
-/// not help any more.
-bool AugmentedLagrangian::Group::tighten() {
-  const bool stalls = violation > 0.5 * best_violation;
-  const bool counts = violation < kFloor || mu >= kStiff * first_mu;
-  stalled = stalls && counts ? stalled + 1 : 0;
-  if (mu >= kMuRange * first_mu || stalled >= kStalledRounds) return false;
-  if (violation > 0.1 * best_violation) mu *= kGrowth;
+/// After a round that left a violation: larger mu where it gained too little, the more the less it
+/// gained. False where nothing has moved for `patience` rounds: neither the violation nor, as
+/// `moves` says, the objective, which rises as long as constraints are bought.
+bool AugmentedLagrangian::Group::tighten(int patience, bool moves) {
+  const bool gains_little = violation > 0.5 * best_violation;
+  stalled = gains_little && !moves ? stalled + 1 : 0;
+  if (mu >= kMuRange * first_mu || stalled >= patience) return false;
+  if (violation > 0.1 * best_violation) mu *= gains_little ? kGrowth * kGrowth : kGrowth;
   best_violation = std::min(best_violation, violation);
   return true;
 }
@@ -55,6 +55,13 @@ AugmentedLagrangian::AugmentedLagrangian(const RefinementInput& input,
 void AugmentedLagrangian::restart() {
   places_.restart();
   rates_.restart();
+}
+
+void AugmentedLagrangian::soften() {
+  places_.mu = std::max(places_.first_mu, kSoftening * places_.mu);
+  for (PointConstraint& point : points_) {
+    for (PointConstraint::Row& row : point.rows) row.bounds.multiplier = 0;
+  }
 }
 
 void AugmentedLagrangian::use_breakpoints(std::vector<double> breakpoints) {
@@ -86,6 +93,7 @@ Ending AugmentedLagrangian::solve(const Accuracy& accuracy, const Stop& stop,
     if (getenv("WW_TRACE")) fprintf(stderr,"round %d spans %d points %zu its %d J %.8g viol %.3g rate %.3g mu %.3g %.3g\n", round, spline_.basis.span_count(), points_.size(), iterations_, objective, places_.violation, rates_.violation, places_.mu, rates_.mu);
     const bool settled =
         settled_inside && std::abs(objective - last_objective) <= accuracy.settled * objective;
+    const bool moves = std::abs(objective - last_objective) > kMoves * objective;
     last_objective = objective;
     if (!accuracy.rates) rates_.violation = 0;
     const bool holds = places_.violation <= accuracy.violation && rates_hold();
@@ -94,8 +102,7 @@ Ending AugmentedLagrangian::solve(const Accuracy& accuracy, const Stop& stop,
     if (holds && when_holding) when_holding();
     unsettled = settled_inside ? 0 : unsettled + 1;
     const bool is_due = settled_inside || unsettled > kPatience;
-    if (is_due && !tighten(accuracy.violation, objective))
-      return places_.violation <= kFloor ? Ending::stalled : Ending::unmet;
+    if (is_due && !tighten(accuracy, objective, moves)) return Ending::stalled;
   }
   return Ending::out_of_rounds;
 }
@@ -153,6 +160,7 @@ void AugmentedLagrangian::measure() {
       places_.raise(point.rows[r].bounds.violation(values_[i].c[static_cast<Eigen::Index>(r)]));
     }
   }
+  if (getenv("WW_TRACE2")) for (std::size_t i = 0; i < points_.size(); ++i) for (std::size_t r = 0; r < points_[i].rows.size(); ++r) { double v = points_[i].rows[r].bounds.violation(values_[i].c[(long)r]); if (v > 0.5*places_.violation) fprintf(stderr, "   t %.4f kind %d index %d c %.6g [%.4g %.4g] lam %.4g w %.3g\n", points_[i].time, (int)points_[i].rows[r].kind, points_[i].rows[r].index, values_[i].c[(long)r], points_[i].rows[r].bounds.lower, points_[i].rows[r].bounds.upper, points_[i].rows[r].bounds.multiplier, points_[i].weight); }
   for (const LimitConstraint& limit : limits_) {
     for (std::size_t r = 0; r < limit.rows.size(); ++r) {
       group_of(limit).raise(limit.rows[r].violation(limit.value(spline_.control, r)));
@@ -165,15 +173,15 @@ bool AugmentedLagrangian::rates_hold() const { return rates_.violation <= kRateT
 /// Larger mu where the violation does not fall; false if that does not help any more. Rates count
 /// once the places all but hold: pressed into their limits earlier, they would lock a curve that
 /// still has to find its place.
-bool AugmentedLagrangian::tighten(double violation, double objective) {
+bool AugmentedLagrangian::tighten(const Accuracy& accuracy, double objective, bool moves) {
   if (!rates_hold()) {
     if (rates_.mu > 0) {
-      if (!rates_.tighten()) return false;
+      if (!rates_.tighten(accuracy.patience, moves)) return false;
     } else if (places_.violation <= kFloor) {
       rates_.first_mu = rates_.mu = kRateShare * objective;
     }
   }
-  return places_.violation <= violation || places_.tighten();
+  return places_.violation <= accuracy.violation || places_.tighten(accuracy.patience, moves);
 }
 
 void AugmentedLagrangian::update_multipliers() {

@@ -18,12 +18,12 @@ struct Accuracy {
   double inner = 1e-8;      ///< relative change of the cost at which the inner solver stops
   int rounds = 30;
   bool rates = true;  ///< velocity, acceleration and jerk limits count
+  int patience = 3;          ///< rounds in which the violation may not halve
 };
 
 enum class Ending {
   converged,
-  stalled,  ///< a small violation does not fall any more: the curve has too few knots
-  unmet,    ///< a large violation does not fall any more
+  stalled,  ///< the violation does not fall any more: the curve has too few knots, or no way
   out_of_rounds,
   stopped,  ///< on request
 };
@@ -49,6 +49,8 @@ class AugmentedLagrangian {
   const Spline& spline() const { return spline_; }
   std::vector<PointConstraint>& points() { return points_; }
   const std::vector<LimitConstraint>& limits() const { return limits_; }
+  /// After constraints that could not be met: their multipliers are large and mean nothing.
+  void soften();
   /// Points were added or exchanged: what was reached so far says nothing about these.
   void restart();
 
@@ -73,14 +75,14 @@ class AugmentedLagrangian {
     int stalled = 0;
 
     void raise(double value);
-    bool tighten();
+    bool tighten(int patience, bool moves);
     void restart();
   };
 
   bool minimise_once(double function_tolerance, const Stop& stop);
   void add_near_pairs_everywhere();
   void measure();
-  bool tighten(double violation, double objective);
+  bool tighten(const Accuracy& accuracy, double objective, bool moves);
   void update_multipliers();
   Group& group_of(const LimitConstraint& limit);
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace wristwise {
 
@@ -20,6 +23,35 @@ std::vector<double> choose_breakpoints(const std::vector<double>& times, double 
     breakpoints.push_back(times.back());
   }
   return breakpoints;
+}
+
+std::vector<double> graded(const std::vector<double>& breakpoints,
+                           const std::vector<double>& centres, double finest) {
+  if (centres.empty()) return breakpoints;
+  constexpr double kGrowth = 1.5;
+  const double first = breakpoints.front(), last = breakpoints.back();
+  const double widest = (last - first) / static_cast<double>(breakpoints.size() - 1);
+  // Candidates with the spacing that is wanted at each; what is too near to a finer one goes.
+  std::vector<std::pair<double, double>> candidates;
+  for (const double t : breakpoints) candidates.emplace_back(widest, t);
+  for (const double centre : centres) {
+    candidates.emplace_back(0.0, centre);
+    double offset = 0;
+    for (double step = finest; step < widest; step *= kGrowth) {
+      offset += step;
+      candidates.emplace_back(step, centre - offset);
+      candidates.emplace_back(step, centre + offset);
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  std::set<double> kept = {first, last};
+  for (const auto& [step, t] : candidates) {
+    if (t <= first || t >= last) continue;
+    const double room = std::max(0.6 * step, 0.5 * finest);
+    const auto next = kept.lower_bound(t);
+    if (*next - t >= room && t - *std::prev(next) >= room) kept.insert(t);
+  }
+  return {kept.begin(), kept.end()};
 }
 
 std::vector<double> every_nth(const std::vector<double>& breakpoints, std::size_t n) {

@@ -9,6 +9,11 @@ namespace wristwise {
 /// allow; the first and the last time are kept.
 std::vector<double> choose_breakpoints(const std::vector<double>& times, double spacing);
 
+/// More breakpoints about each of the `centres` (ascending, inside), where the motion's third
+/// derivative jumps: the spacing is `finest` (s) there and grows by a half with each span.
+std::vector<double> graded(const std::vector<double>& breakpoints,
+                           const std::vector<double>& centres, double finest);
+
 /// About every n-th of them; the first and the last are kept.
 std::vector<double> every_nth(const std::vector<double>& breakpoints, std::size_t n);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -29,8 +30,12 @@ constexpr double kSmoothingSpans = 20;  ///< the seed is smoothed over the durat
 constexpr int kPointsPerSpan = 3;
 constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
 constexpr int kMostSplits = 6;
+constexpr double kFinestSpan = 0.05;    ///< of the first spacing, where the seam's jerk jumps
 constexpr double kShortestSpan = 0.02;  ///< of the first spacing
-constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8, false};
+constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8, false, 2};
+constexpr double kSmall = 1e-4;  ///< m and rad; multipliers of smaller violations are worth keeping
+constexpr double kWorthwhile = 0.7;  ///< of a violation that more knots leave over
+constexpr int kVainSplits = 2;
 constexpr double kStray = 1e-2;  ///< m and rad, in the first round
 
 /// How far the direction of travel turns along the waypoints, rad, seen in steps of at least `step`
@@ -47,6 +52,19 @@ double seam_turning(const Task& task, double step) {
     from = &waypoint;
   }
   return turning;
+}
+
+/// Times (s) inside the motion at which the seam's third derivative jumps: the knots of its time law,
+/// and where welding begins and ends.
+std::vector<double> jerk_jumps(const Task& task) {
+  std::vector<double> times;
+  if (task.seam.is_retimed()) times = task.seam.seam_time().times();
+  for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
+    const Waypoint &here = task.waypoints[i], &next = task.waypoints[i + 1];
+    if (here.welding != next.welding) times.push_back(here.welding ? here.time : next.time);
+  }
+  std::sort(times.begin(), times.end());
+  return times;
 }
 
 /// One run from a seed: coarse curves first, then the knots that the motion needs.
@@ -73,7 +91,9 @@ class Attempt {
     for (std::size_t level = 0; level + 1 < levels_.size(); ++level) {
       place_points(level);
       if (level == 0) lagrangian_.start_near(kStray, kCoarse, stop_);
-      if (lagrangian_.solve(kCoarse, stop_) == Ending::stopped) return finish("stopped");
+      const Ending ending = lagrangian_.solve(kCoarse, stop_);
+      if (ending == Ending::stopped) return finish("stopped");
+      if (ending != Ending::converged) lagrangian_.soften();
     }
     place_points(levels_.size() - 1);
     if (levels_.size() == 1) lagrangian_.start_near(kStray, kCoarse, stop_);
@@ -108,7 +128,9 @@ class Attempt {
 
   /// Breakpoints from coarse to fine, each a subset of the next.
   std::vector<std::vector<double>> knot_levels(const std::vector<double>& times) const {
-    std::vector<std::vector<double>> levels = {choose_breakpoints(times, spacing())};
+    std::vector<std::vector<double>> levels = {
+        graded(choose_breakpoints(times, spacing()), jerk_jumps(input_.task),
+               kFinestSpan * spacing())};
     const double fewest = std::max(kCoarsestSpans, turning_ / (2 * kTurnOfASpan));
     while (static_cast<double>(levels.back().size() - 1) >= kCoarsening * fewest) {
       levels.push_back(every_nth(levels.back(), kCoarsening));
@@ -129,7 +151,8 @@ class Attempt {
   Ending solve_finely() {
     Accuracy accuracy;
     accuracy.violation = input_.options.constraint_tolerance;
-    int splits = 0;
+    int splits = 0, vain = 0;
+    double last_violation = std::numeric_limits<double>::infinity();
     while (true) {
       accuracy.rounds = input_.options.max_rounds - lagrangian_.rounds();
       const Ending ending = lagrangian_.solve(accuracy, stop_, [this] {
@@ -137,8 +160,11 @@ class Attempt {
       });
       if (ending == Ending::stopped || ending == Ending::out_of_rounds) return ending;
       if (ending != Ending::converged) {
-        const bool hopeless = ending == Ending::unmet && splits > 0;
-        if (hopeless || ++splits > kMostSplits || !split_spans()) return ending;
+        const double violation = lagrangian_.violation();
+        vain = violation > kWorthwhile * last_violation ? vain + 1 : 0;
+        last_violation = violation;
+        if (vain >= kVainSplits || ++splits > kMostSplits || !split_spans()) return ending;
+        if (violation > kSmall) lagrangian_.soften();
         continue;
       }
       if (!add_points()) return ending;

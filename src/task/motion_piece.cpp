@@ -1,5 +1,7 @@
 #include "task/motion_piece.hpp"
 
+#include <cmath>
+
 namespace wristwise {
 
 MotionPiece::MotionPiece(double start, double end, const Polynomials& over_all)
@@ -23,6 +25,12 @@ MotionPiece::Polynomials MotionPiece::over(double t0, double t1) const {
   double power = 1;
   for (int k = 1; k < 6; ++k) c.col(k) *= power *= width;
   return c;
+}
+
+// The fourth Taylor coefficient at s is c_4 + 5 c_5 s.
+Taylor polynomial_taylor(const MotionPiece::Polynomials& motion, int joint) {
+  return {{motion(joint, 0), motion(joint, 1), motion(joint, 2), motion(joint, 3)},
+          std::abs(motion(joint, 4)) + 5 * std::abs(motion(joint, 5))};
 }
 
 // (F10) |s| <= 1.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "task/taylor.hpp"
 #include "wristwise/trajectory.hpp"
 
 namespace wristwise {
@@ -26,6 +27,9 @@ class MotionPiece {
   double start_, end_;
   Polynomials over_all_;
 };
+
+/// Of one joint (F29).
+Taylor polynomial_taylor(const MotionPiece::Polynomials& motion, int joint);
 
 /// For each joint, a bound on |q(s) - q(0)|, s in [-1, 1].
 JointVector spread(const MotionPiece::Polynomials& motion);

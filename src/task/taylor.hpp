@@ -36,8 +36,13 @@ Taylor driven(const Taylor& f, const Taylor& g);
 
 /// The same for a vector; |f''''(s)| / 4! <= rest in the Euclidean norm.
 struct VectorTaylor {
-  std::array<Eigen::Vector3d, Taylor::kTerms> c;
+  std::array<Eigen::Vector3d, Taylor::kTerms> c{};
   double rest = 0;
+
+  VectorTaylor() = default;
+  VectorTaylor(const std::array<Eigen::Vector3d, Taylor::kTerms>& coefficients, double bound)
+      : c(coefficients), rest(bound) {}
+  VectorTaylor(const Taylor& x, const Taylor& y, const Taylor& z);
 
   static VectorTaylor constant(const Eigen::Vector3d& value);
 
@@ -50,6 +55,8 @@ VectorTaylor operator+(const VectorTaylor& f, const VectorTaylor& g);
 VectorTaylor operator-(const VectorTaylor& f, const VectorTaylor& g);
 /// f times a fixed vector.
 VectorTaylor along(const Eigen::Vector3d& direction, const Taylor& f);
+
+Taylor dot(const VectorTaylor& f, const VectorTaylor& g);
 
 /// Turning about a fixed axis by a given angle (rad), enclosed once for all the vectors it turns.
 class TaylorTurn {
