@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wristwise {
 
@@ -9,7 +10,11 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-double largest_magnitude(const Taylor& f) { return std::max(f.upper(), -f.lower()); }
+/// Infinite where remainders have grown beyond all numbers.
+double largest_magnitude(const Taylor& f) {
+  const double largest = std::max(f.upper(), -f.lower());
+  return std::isnan(largest) ? std::numeric_limits<double>::infinity() : largest;
+}
 
 }  // namespace
 

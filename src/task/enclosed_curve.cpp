@@ -2,9 +2,25 @@
 
 namespace wristwise {
 
+namespace {
+
+constexpr double kUnknown = 1e9;  // m or rad
+
+}  // namespace
+
 VectorTaylor anywhere() {
   VectorTaylor unknown = VectorTaylor::constant(Eigen::Vector3d::Zero());
-  unknown.rest = 1e9;
+  unknown.rest = kUnknown;
+  return unknown;
+}
+
+// Turns about two axes leave no direction in place.
+EnclosedOrientation any_orientation() {
+  Taylor any = Taylor::constant(0);
+  any.rest = kUnknown;
+  EnclosedOrientation unknown;
+  unknown.before.angle = any;
+  unknown.after.push_back({Eigen::Vector3d::UnitX(), any});
   return unknown;
 }
 

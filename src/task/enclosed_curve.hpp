@@ -30,6 +30,7 @@ class EnclosedCurve : public SeamCurve {
 /// Of which nothing is known: a remainder (m) that no path has, yet finite, so that it may be
 /// multiplied by zero.
 VectorTaylor anywhere();
+EnclosedOrientation any_orientation();  ///< likewise
 
 /// A vector of polynomials: column k is the coefficient of f^k.
 VectorTaylor vector_polynomial(const Eigen::Matrix<double, 3, 6>& c, const Taylor& f);

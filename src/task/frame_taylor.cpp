@@ -41,7 +41,7 @@ const EnclosedCurve* curve_of(const SeamPiece& piece) {
 EnclosedOrientation orientation_of(const SeamPiece& piece, const Taylor& fraction) {
   if (piece.kind == SeamPiece::Kind::curve) {
     const EnclosedCurve* curve = curve_of(piece);
-    return curve ? curve->orientation(fraction) : EnclosedOrientation();
+    return curve ? curve->orientation(fraction) : any_orientation();
   }
   if (piece.kind == SeamPiece::Kind::arc)
     return {{piece.axis, piece.angle * fraction}, piece.from.linear(), {}};

@@ -224,7 +224,7 @@ TaylorTurn::TaylorTurn(const Eigen::Vector3d& axis, const Taylor& angle) : axis_
 // |across_{4-i}|.
 VectorTaylor TaylorTurn::operator*(const VectorTaylor& f) const {
   std::array<Eigen::Vector3d, kTerms> across, ahead;
-  std::array<double, kTerms> magnitude;
+  std::array<double, kTerms> magnitude{};
   VectorTaylor turned;
   for (std::size_t k = 0; k < kTerms; ++k) {
     const Eigen::Vector3d on_axis = axis_.dot(f.c[k]) * axis_;
