@@ -30,6 +30,8 @@ constexpr double kSmoothingSpans = 20;  ///< the seed is smoothed over the durat
 constexpr int kPointsPerSpan = 3;
 constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
 constexpr int kMostSplits = 6;
+/// m, of a jump of the third derivative times the spacing cubed; the error is about a hundredth.
+constexpr double kJumpThatShows = 2e-4;
 constexpr double kFinestSpan = 0.05;    ///< of the first spacing, where the seam's jerk jumps
 constexpr double kShortestSpan = 0.02;  ///< of the first spacing
 constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8, false, 2};
@@ -54,11 +56,19 @@ double seam_turning(const Task& task, double step) {
   return turning;
 }
 
-/// Times (s) inside the motion at which the seam's third derivative jumps: the knots of its time law,
-/// and where welding begins and ends.
-std::vector<double> jerk_jumps(const Task& task) {
+/// Times (s) inside the motion at which the seam's third derivative jumps by more than curves of
+/// this spacing (s) can follow: knots of its time law, and where welding begins and ends.
+std::vector<double> jerk_jumps(const Task& task, double spacing) {
   std::vector<double> times;
-  if (task.seam.is_retimed()) times = task.seam.seam_time().times();
+  if (task.seam.is_retimed()) {
+    const Trajectory& law = task.seam.seam_time();
+    const double speed = task.seam.length() / (law.positions().back() - law.positions().front())[0];
+    for (std::size_t i = 1; i + 1 < law.times().size(); ++i) {
+      const double t = law.times()[i], a_little = 1e-9 * (law.times()[i + 1] - law.times()[i - 1]);
+      const double jump = (law.evaluate(t + a_little, 3) - law.evaluate(t - a_little, 3)).norm();
+      if (speed * jump * std::pow(spacing, 3) > kJumpThatShows) times.push_back(t);
+    }
+  }
   for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
     const Waypoint &here = task.waypoints[i], &next = task.waypoints[i + 1];
     if (here.welding != next.welding) times.push_back(here.welding ? here.time : next.time);
@@ -129,7 +139,7 @@ class Attempt {
   /// Breakpoints from coarse to fine, each a subset of the next.
   std::vector<std::vector<double>> knot_levels(const std::vector<double>& times) const {
     std::vector<std::vector<double>> levels = {
-        graded(choose_breakpoints(times, spacing()), jerk_jumps(input_.task),
+        graded(choose_breakpoints(times, spacing()), jerk_jumps(input_.task, spacing()),
                kFinestSpan * spacing())};
     const double fewest = std::max(kCoarsestSpans, turning_ / (2 * kTurnOfASpan));
     while (static_cast<double>(levels.back().size() - 1) >= kCoarsening * fewest) {
