@@ -1,9 +1,9 @@
 #include "refine/objective.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "refine/banded_qr.hpp"
 #include "refine/gauss_quadrature.hpp"
 #include "wristwise/kinematics.hpp"
 
@@ -126,41 +126,27 @@ ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& rob
           singularity};
 }
 
-// Span s sees the control points s .. s+5. Its quadrature rows are stacked under what earlier spans
-// left for these (upper triangular) and factorised; no later span sees control point s, so that the
-// first row is final and the rest is handed on, one column to the left.
 std::vector<ObjectiveRow> objective_rows(const ObjectiveWeights& weights,
                                          const SplineBasis& basis) {
-  constexpr int kPoints = 5, kLocal = SplineBasis::kLocal;
+  constexpr int kPoints = 5;
   const auto points = gauss_points(basis.breakpoints());
-  std::vector<ObjectiveRow> result;
-  result.reserve(static_cast<std::size_t>(basis.control_count()));
-  Eigen::Matrix<double, kLocal + 4 * kPoints, kLocal> rows;
-  Eigen::Matrix<double, kLocal, kLocal> left = Eigen::Matrix<double, kLocal, kLocal>::Zero();
+  BandedQr qr(0);
+  BandedQr::Rows rows(4 * kPoints, BandedQr::kLocal);
+  const Eigen::MatrixXd nothing(4 * kPoints, 0);
   for (int span = 0; span < basis.span_count(); ++span) {
-    rows.topRows<kLocal>() = left;
     for (int i = 0; i < kPoints; ++i) {
       const QuadraturePoint& point = points[static_cast<std::size_t>(span * kPoints + i)];
       const SplineBasis::Values values = basis.at(point.time);
       for (int k = 0; k < 4; ++k) {
-        rows.row(kLocal + 4 * i + k) =
+        rows.row(4 * i + k) =
             std::sqrt(point.weight * weights.derivative[static_cast<std::size_t>(k)]) *
             values.derivatives.col(k).transpose();
       }
     }
-    const Eigen::HouseholderQR<decltype(rows)> qr(rows);
-    left = qr.matrixQR().topRows<kLocal>().triangularView<Eigen::Upper>();
-    result.push_back({span, left.row(0)});
-    left.topLeftCorner<kLocal - 1, kLocal - 1>() =
-        left.bottomRightCorner<kLocal - 1, kLocal - 1>().eval();
-    left.row(kLocal - 1).setZero();
-    left.col(kLocal - 1).setZero();
+    qr.add_span(rows, nothing);
   }
-  for (int k = 0; k + 1 < kLocal; ++k) {
-    ObjectiveRow row{basis.span_count() - 1, {}};
-    row.coefficients << 0, left.row(k).head<kLocal - 1>();
-    result.push_back(row);
-  }
+  std::vector<ObjectiveRow> result;
+  for (const BandedQr::Row& row : qr.finish()) result.push_back({row.first, row.coefficients});
   return result;
 }
 

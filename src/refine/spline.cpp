@@ -1,10 +1,10 @@
 #include "refine/spline.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "refine/banded_qr.hpp"
 #include "refine/gauss_quadrature.hpp"
 
 namespace wristwise {
@@ -148,40 +148,43 @@ Spline with_breakpoints(const Spline& spline, std::vector<double> breakpoints) {
 Spline fit_spline(const JointPath& path, std::vector<double> breakpoints, double smoothing) {
   Spline spline{SplineBasis(std::move(breakpoints)), {}};
   const SplineBasis& basis = spline.basis;
-  const int count = basis.control_count();
   const Eigen::Index joints = path.positions.front().size();
-  std::vector<Eigen::Triplet<double>> gram;
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, joints);
-  const auto add = [&](const SplineBasis::Values& values, int derivative, double weight) {
-    const auto column = values.derivatives.col(derivative);
-    for (int a = 0; a < SplineBasis::kLocal; ++a) {
-      for (int b = 0; b < SplineBasis::kLocal; ++b) {
-        gram.emplace_back(values.first + a, values.first + b, weight * column[a] * column[b]);
-      }
-    }
-  };
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const SplineBasis::Values values = basis.at(path.times[i]);
-    add(values, 0, 1.0);
-    right.middleRows<SplineBasis::kLocal>(values.first) +=
-        values.derivatives.col(0) * path.positions[i].transpose();
-  }
   // Derivatives are made comparable with positions by powers of the mean span.
   const double duration = path.times.back() - path.times.front();
-  const double span = duration / basis.span_count();
+  const double span_width = duration / basis.span_count();
   const double trace = 1e-9 * static_cast<double>(path.size()) / duration;
   // sum_i |q(t_i) - q_i|^2 ~ N/T integral |q - q_i|^2: the jerk of waves of period 2 pi smoothing
   // then counts as much as leaving them out.
   const double jerk_weight = std::pow(smoothing, 6) * static_cast<double>(path.size()) / duration;
-  for (const QuadraturePoint& point : gauss_points(basis.breakpoints())) {
-    const SplineBasis::Values values = basis.at(point.time);
-    add(values, 2, trace * std::pow(span, 4) * point.weight);
-    add(values, 3, (trace * std::pow(span, 6) + jerk_weight) * point.weight);
+  const double acceleration_factor = std::sqrt(trace * std::pow(span_width, 4));
+  const double jerk_factor = std::sqrt(trace * std::pow(span_width, 6) + jerk_weight);
+
+  constexpr int kPoints = 5;
+  const auto points = gauss_points(basis.breakpoints());
+  BandedQr qr(joints);
+  std::size_t i = 0;
+  for (int span = 0; span < basis.span_count(); ++span) {
+    const std::size_t first = i;
+    while (i < path.size() && basis.at(path.times[i]).first == span) ++i;
+    const auto count = static_cast<Eigen::Index>(i - first);
+    BandedQr::Rows rows(count + 2 * kPoints, BandedQr::kLocal);
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(rows.rows(), joints);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const std::size_t at = first + static_cast<std::size_t>(k);
+      rows.row(k) = basis.at(path.times[at]).derivatives.col(0).transpose();
+      right.row(k) = path.positions[at].transpose();
+    }
+    for (int k = 0; k < kPoints; ++k) {
+      const QuadraturePoint& point = points[static_cast<std::size_t>(span * kPoints + k)];
+      const SplineBasis::Values values = basis.at(point.time);
+      const double root = std::sqrt(point.weight);
+      rows.row(count + 2 * k) =
+          root * acceleration_factor * values.derivatives.col(2).transpose();
+      rows.row(count + 2 * k + 1) = root * jerk_factor * values.derivatives.col(3).transpose();
+    }
+    qr.add_span(rows, right);
   }
-  Eigen::SparseMatrix<double> matrix(count, count);
-  matrix.setFromTriplets(gram.begin(), gram.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-  spline.control = solver.solve(right).transpose();
+  spline.control = back_substituted(qr.finish()).transpose();
   return spline;
 }
 
