@@ -42,6 +42,16 @@ Trajectory slower_law(const RefinementInput& input, const Trajectory& motion, Sl
   return speed_profile(motion, rate_limits(input.robot), {slowing.margin, spacing, true});
 }
 
+/// The postures at the task's waypoints; a motion has rows at knots between them as well.
+JointPath at_waypoints(const Task& task, const Trajectory& motion) {
+  JointPath path;
+  for (const Waypoint& waypoint : task.waypoints) {
+    path.times.push_back(waypoint.time);
+    path.positions.push_back(motion.evaluate(waypoint.time));
+  }
+  return path;
+}
+
 /// The motion without limits run slower, then refined under them; gentler where that fails.
 std::optional<SpeedRefined> slow_down(const RefinementInput& input, const Trajectory& motion,
                                       const MotionCheck& passes) {
@@ -49,7 +59,7 @@ std::optional<SpeedRefined> slow_down(const RefinementInput& input, const Trajec
     SpeedRefined slowed;
     slowed.law = slower_law(input, motion, slowing);
     slowed.task = run_along(input.task, slowed.law);
-    const JointPath seed = at_waypoints_of(slowed.task, motion.waypoints());
+    const JointPath seed = at_waypoints_of(slowed.task, at_waypoints(input.task, motion));
     slowed.refined = refine_for(input.robot, slowed.task, input, seed);
     if (passes(slowed.task, slowed.refined.trajectory)) return slowed;
   }
