@@ -82,8 +82,7 @@ TEST(ActiveConstraints, ARangeOfAJoint) {
     changed.task.waypoints[20].joints->lower[1] -= by;
   });
   EXPECT_NEAR(hurdle.relative_gain, measured, 0.03 * measured);
-  EXPECT_NE(hurdle.sentence.find("y is at its lower limit"), std::string::npos)
-      << hurdle.sentence;
+  EXPECT_NE(hurdle.sentence.find("y is at its lower limit"), std::string::npos) << hurdle.sentence;
 }
 
 TEST(ActiveConstraints, AClearance) {
@@ -96,8 +95,8 @@ TEST(ActiveConstraints, AClearance) {
   example.task.waypoints.back().joints = posture(1, 0, 0);
   example.objects = {gantry::obstacle(Sphere{0.1}, 0.5, -0.02, 0)};
   const ActiveConstraint pair = find(example.run(), "ball - obstacle");
-  const double measured = measured_gain(
-      example, 1e-3, [](Example& changed, double by) { changed.clearance -= by; });
+  const double measured =
+      measured_gain(example, 1e-3, [](Example& changed, double by) { changed.clearance -= by; });
   EXPECT_NEAR(pair.relative_gain, measured, 0.02 * measured);
   EXPECT_GT(pair.from, 3);
   EXPECT_LT(pair.to, 7);
@@ -142,10 +141,9 @@ TEST(ActiveConstraints, AWidthOfZero) {
     waypoint.tolerance.lower[2] = -kStep;
     waypoint.tolerance.upper[2] = kStep;
   }
-  const double measured =
-      (tight.objective - example.run().objective) / (kStep * tight.objective);
+  const double measured = (tight.objective - example.run().objective) / (kStep * tight.objective);
   EXPECT_LE(measured, 1.02 * z.relative_gain);  // convex: the forecast is the most there can be
-  EXPECT_GE(measured, 0.4 * z.relative_gain);  // over a short range
+  EXPECT_GE(measured, 0.4 * z.relative_gain);   // over a short range
 }
 
 TEST(ActiveConstraints, NothingIsListedWhereNothingPresses) {

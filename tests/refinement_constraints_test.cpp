@@ -4,8 +4,8 @@
 #include <random>
 
 #include "gantry.hpp"
-#include "refine/dip_search.hpp"
 #include "refine/breakpoints.hpp"
+#include "refine/dip_search.hpp"
 #include "refine/limit_constraint.hpp"
 #include "refine/point_constraint.hpp"
 

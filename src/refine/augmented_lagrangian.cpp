@@ -8,14 +8,14 @@ namespace wristwise {
 
 namespace {
 
-constexpr double kGrowth = 10;     ///< of mu in a round that gains too little
-constexpr double kMuRange = 1e12;  ///< largest mu / first mu
-constexpr double kFloor = 1e-4;      ///< m and rad; places all but hold below this
-constexpr double kSoftening = 1e-3;  ///< of mu after a violation that did not give way
+constexpr double kGrowth = 10;           ///< of mu in a round that gains too little
+constexpr double kMuRange = 1e12;        ///< largest mu / first mu
+constexpr double kFloor = 1e-4;          ///< m and rad; places all but hold below this
+constexpr double kSoftening = 1e-3;      ///< of mu after a violation that did not give way
 constexpr double kRateShare = 0.1;       ///< first mu of rates, as a share of the objective
 constexpr double kRateTolerance = 5e-4;  ///< of rates, half the margin they are kept by
 constexpr double kBand = 0.02;           ///< m; pairs that are nearer than this get a constraint
-constexpr double kMoves = 0.05;  ///< relative change of the objective that counts
+constexpr double kMoves = 0.05;          ///< relative change of the objective that counts
 constexpr int kPatience = 1;  ///< rounds in which the inner solver may run out of iterations
 
 }  // namespace
@@ -90,7 +90,6 @@ Ending AugmentedLagrangian::solve(const Accuracy& accuracy, const Stop& stop,
     if (stop.requested()) return Ending::stopped;
     measure();
     const double objective = terms().total();
-    if (getenv("WW_TRACE")) fprintf(stderr,"round %d spans %d points %zu its %d J %.8g viol %.3g rate %.3g mu %.3g %.3g\n", round, spline_.basis.span_count(), points_.size(), iterations_, objective, places_.violation, rates_.violation, places_.mu, rates_.mu);
     const bool settled =
         settled_inside && std::abs(objective - last_objective) <= accuracy.settled * objective;
     const bool moves = std::abs(objective - last_objective) > kMoves * objective;
@@ -160,7 +159,6 @@ void AugmentedLagrangian::measure() {
       places_.raise(point.rows[r].bounds.violation(values_[i].c[static_cast<Eigen::Index>(r)]));
     }
   }
-  if (getenv("WW_TRACE2")) for (std::size_t i = 0; i < points_.size(); ++i) for (std::size_t r = 0; r < points_[i].rows.size(); ++r) { double v = points_[i].rows[r].bounds.violation(values_[i].c[(long)r]); if (v > 0.5*places_.violation) fprintf(stderr, "   t %.4f kind %d index %d c %.6g [%.4g %.4g] lam %.4g w %.3g\n", points_[i].time, (int)points_[i].rows[r].kind, points_[i].rows[r].index, values_[i].c[(long)r], points_[i].rows[r].bounds.lower, points_[i].rows[r].bounds.upper, points_[i].rows[r].bounds.multiplier, points_[i].weight); }
   for (const LimitConstraint& limit : limits_) {
     for (std::size_t r = 0; r < limit.rows.size(); ++r) {
       group_of(limit).raise(limit.rows[r].violation(limit.value(spline_.control, r)));

@@ -18,7 +18,7 @@ struct Accuracy {
   double inner = 1e-8;      ///< relative change of the cost at which the inner solver stops
   int rounds = 30;
   bool rates = true;  ///< velocity, acceleration and jerk limits count
-  int patience = 3;          ///< rounds in which the violation may not halve
+  int patience = 3;   ///< rounds in which the violation may not halve
 };
 
 enum class Ending {
@@ -46,6 +46,7 @@ class AugmentedLagrangian {
   /// The same curve over more breakpoints, the same points; limits start anew.
   void use_breakpoints(std::vector<double> breakpoints);
 
+  double mu() const { return places_.mu; }
   const Spline& spline() const { return spline_; }
   std::vector<PointConstraint>& points() { return points_; }
   const std::vector<LimitConstraint>& limits() const { return limits_; }

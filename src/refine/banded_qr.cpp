@@ -9,8 +9,8 @@ BandedQr::BandedQr(Eigen::Index right_columns)
     : left_right_(Eigen::MatrixXd::Zero(kLocal, right_columns)) {}
 
 // Span s sees the control points s .. s+5. Its rows are stacked under what earlier spans left for
-// these (upper triangular) and factorised; no later span sees control point s, so that the first row
-// is final and the rest is handed on, one column to the left.
+// these (upper triangular) and factorised; no later span sees control point s, so that the first
+// row is final and the rest is handed on, one column to the left.
 void BandedQr::add_span(const Rows& rows, const Eigen::MatrixXd& right) {
   Eigen::MatrixXd stacked(kLocal + rows.rows(), kLocal);
   stacked << left_, rows;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "refine/active_constraints.hpp"
@@ -97,16 +98,22 @@ class Attempt {
     lagrangian_.set_first_mu(start_share * objective);
   }
 
+  /// Minimises once, near the seam. Returns the mu that this took.
+  double start() {
+    place_points(0);
+    lagrangian_.start_near(kStray, kCoarse, stop_);
+    return lagrangian_.mu();
+  }
+
+  /// From there to the end.
   Refined run() {
     for (std::size_t level = 0; level + 1 < levels_.size(); ++level) {
-      place_points(level);
-      if (level == 0) lagrangian_.start_near(kStray, kCoarse, stop_);
+      if (level > 0) place_points(level);
       const Ending ending = lagrangian_.solve(kCoarse, stop_);
       if (ending == Ending::stopped) return finish("stopped");
       if (ending != Ending::converged) lagrangian_.soften();
     }
-    place_points(levels_.size() - 1);
-    if (levels_.size() == 1) lagrangian_.start_near(kStray, kCoarse, stop_);
+    if (levels_.size() > 1) place_points(levels_.size() - 1);
     switch (solve_finely()) {
       case Ending::converged:
         remember();
@@ -138,9 +145,9 @@ class Attempt {
 
   /// Breakpoints from coarse to fine, each a subset of the next.
   std::vector<std::vector<double>> knot_levels(const std::vector<double>& times) const {
-    std::vector<std::vector<double>> levels = {
-        graded(choose_breakpoints(times, spacing()), jerk_jumps(input_.task, spacing()),
-               kFinestSpan * spacing())};
+    std::vector<std::vector<double>> levels = {graded(choose_breakpoints(times, spacing()),
+                                                      jerk_jumps(input_.task, spacing()),
+                                                      kFinestSpan * spacing())};
     const double fewest = std::max(kCoarsestSpans, turning_ / (2 * kTurnOfASpan));
     while (static_cast<double>(levels.back().size() - 1) >= kCoarsening * fewest) {
       levels.push_back(every_nth(levels.back(), kCoarsening));
@@ -162,7 +169,7 @@ class Attempt {
     Accuracy accuracy;
     accuracy.violation = input_.options.constraint_tolerance;
     int splits = 0, vain = 0;
-    double last_violation = std::numeric_limits<double>::infinity();
+    double last_left = std::numeric_limits<double>::infinity();
     while (true) {
       accuracy.rounds = input_.options.max_rounds - lagrangian_.rounds();
       const Ending ending = lagrangian_.solve(accuracy, stop_, [this] {
@@ -171,8 +178,9 @@ class Attempt {
       if (ending == Ending::stopped || ending == Ending::out_of_rounds) return ending;
       if (ending != Ending::converged) {
         const double violation = lagrangian_.violation();
-        vain = violation > kWorthwhile * last_violation ? vain + 1 : 0;
-        last_violation = violation;
+        const double left = std::max(violation / kSmall, lagrangian_.rate_violation());
+        vain = left > kWorthwhile * last_left ? vain + 1 : 0;
+        last_left = left;
         if (vain >= kVainSplits || ++splits > kMostSplits || !split_spans()) return ending;
         if (violation > kSmall) lagrangian_.soften();
         continue;
@@ -286,6 +294,11 @@ class Attempt {
   double best_objective_ = 0;
 };
 
+/// The way is there, but not at this speed: another start does not help.
+bool fails_by_rates(const Refined& refined) {
+  return !refined.feasible && refined.statistics.max_violation <= kSmall;
+}
+
 double initial_objective(const Refined& refined) {
   double sum = 0;
   for (const CostTerm& term : refined.statistics.terms) sum += term.initial;
@@ -314,15 +327,18 @@ Refined refine(const RefinementInput& input, const JointPath& seed) {
                                 input.cost,  input.options, monitor};
   Refined best;
   int iterations = 0, evaluations = 0, rounds = 0;
+  std::set<double> tried;
   for (const double share : kStartShares) {
-    Refined attempt = Attempt(forward, seed, share, stop).run();
+    Attempt trial(forward, seed, share, stop);
+    if (!tried.insert(trial.start()).second) continue;
+    Refined attempt = trial.run();
     iterations += attempt.statistics.iterations;
     evaluations += attempt.statistics.evaluations;
     rounds += attempt.statistics.rounds;
     if (best.trajectory.empty() || is_better(attempt, best)) best = std::move(attempt);
     if (!best.feasible) throw_if_cancelled(input.monitor);
     if (best.feasible && best.statistics.objective <= initial_objective(best)) break;
-    if (stop.requested()) break;
+    if (stop.requested() || fails_by_rates(best)) break;
   }
   best.statistics.iterations = iterations;
   best.statistics.evaluations = evaluations;

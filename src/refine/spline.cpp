@@ -178,8 +178,7 @@ Spline fit_spline(const JointPath& path, std::vector<double> breakpoints, double
       const QuadraturePoint& point = points[static_cast<std::size_t>(span * kPoints + k)];
       const SplineBasis::Values values = basis.at(point.time);
       const double root = std::sqrt(point.weight);
-      rows.row(count + 2 * k) =
-          root * acceleration_factor * values.derivatives.col(2).transpose();
+      rows.row(count + 2 * k) = root * acceleration_factor * values.derivatives.col(2).transpose();
       rows.row(count + 2 * k + 1) = root * jerk_factor * values.derivatives.col(3).transpose();
     }
     qr.add_span(rows, right);
