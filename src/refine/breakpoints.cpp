@@ -33,14 +33,16 @@ std::vector<double> graded(const std::vector<double>& breakpoints,
   const double widest = (last - first) / static_cast<double>(breakpoints.size() - 1);
   // Candidates with the spacing that is wanted at each; what is too near to a finer one goes.
   std::vector<std::pair<double, double>> candidates;
+  candidates.reserve(breakpoints.size());
   for (const double t : breakpoints) candidates.emplace_back(widest, t);
   for (const double centre : centres) {
     candidates.emplace_back(0.0, centre);
-    double offset = 0;
-    for (double step = finest; step < widest; step *= kGrowth) {
+    double offset = 0, step = finest;
+    while (step < widest) {
       offset += step;
       candidates.emplace_back(step, centre - offset);
       candidates.emplace_back(step, centre + offset);
+      step *= kGrowth;
     }
   }
   std::sort(candidates.begin(), candidates.end());

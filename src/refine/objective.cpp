@@ -128,14 +128,14 @@ ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& rob
 
 std::vector<ObjectiveRow> objective_rows(const ObjectiveWeights& weights,
                                          const SplineBasis& basis) {
-  constexpr int kPoints = 5;
   const auto points = gauss_points(basis.breakpoints());
+  auto next = points.begin();
   BandedQr qr(0);
-  BandedQr::Rows rows(4 * kPoints, BandedQr::kLocal);
-  const Eigen::MatrixXd nothing(4 * kPoints, 0);
+  BandedQr::Rows rows(4 * kGaussPoints, BandedQr::kLocal);
+  const Eigen::MatrixXd nothing(4 * kGaussPoints, 0);
   for (int span = 0; span < basis.span_count(); ++span) {
-    for (int i = 0; i < kPoints; ++i) {
-      const QuadraturePoint& point = points[static_cast<std::size_t>(span * kPoints + i)];
+    for (Eigen::Index i = 0; i < kGaussPoints; ++i) {
+      const QuadraturePoint& point = *next++;
       const SplineBasis::Values values = basis.at(point.time);
       for (int k = 0; k < 4; ++k) {
         rows.row(4 * i + k) =
