@@ -25,23 +25,33 @@ std::vector<double> choose_breakpoints(const std::vector<double>& times, double 
   return breakpoints;
 }
 
+std::vector<double> subdivided(const std::vector<double>& breakpoints, double spacing) {
+  std::vector<double> result = {breakpoints.front()};
+  for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+    const double from = breakpoints[i], to = breakpoints[i + 1];
+    const double parts = std::max(1.0, std::round((to - from) / spacing));
+    for (double k = 1; k < parts; ++k) result.push_back(from + k * (to - from) / parts);
+    result.push_back(to);
+  }
+  return result;
+}
+
 std::vector<double> graded(const std::vector<double>& breakpoints,
-                           const std::vector<double>& centres, double finest) {
-  if (centres.empty()) return breakpoints;
+                           const std::vector<SeamFeature>& features) {
   constexpr double kGrowth = 1.5;
   const double first = breakpoints.front(), last = breakpoints.back();
   const double widest = (last - first) / static_cast<double>(breakpoints.size() - 1);
-  // Candidates with the spacing that is wanted at each; what is too near to a finer one goes.
+  // Candidates by the spacing that is wanted at each; what is too near to a finer one goes.
   std::vector<std::pair<double, double>> candidates;
   candidates.reserve(breakpoints.size());
   for (const double t : breakpoints) candidates.emplace_back(widest, t);
-  for (const double centre : centres) {
-    candidates.emplace_back(0.0, centre);
-    double offset = 0, step = finest;
+  for (const SeamFeature& feature : features) {
+    candidates.emplace_back(0.5 * feature.finest, feature.time);
+    double offset = 0, step = feature.finest;
     while (step < widest) {
       offset += step;
-      candidates.emplace_back(step, centre - offset);
-      candidates.emplace_back(step, centre + offset);
+      candidates.emplace_back(step, feature.time - offset);
+      candidates.emplace_back(step, feature.time + offset);
       step *= kGrowth;
     }
   }
@@ -49,7 +59,7 @@ std::vector<double> graded(const std::vector<double>& breakpoints,
   std::set<double> kept = {first, last};
   for (const auto& [step, t] : candidates) {
     if (t <= first || t >= last) continue;
-    const double room = std::max(0.6 * step, 0.5 * finest);
+    const double room = 0.6 * step;
     const auto next = kept.lower_bound(t);
     if (*next - t >= room && t - *std::prev(next) >= room) kept.insert(t);
   }

@@ -3,16 +3,21 @@
 #include <cstddef>
 #include <vector>
 
+#include "refine/seam_features.hpp"
+
 namespace wristwise {
 
 /// Breakpoints chosen among `times` so that neighbours are as near to `spacing` apart as the times
 /// allow; the first and the last time are kept.
 std::vector<double> choose_breakpoints(const std::vector<double>& times, double spacing);
 
-/// More breakpoints about each of the `centres` (ascending, inside), where the motion's third
-/// derivative jumps: the spacing is `finest` (s) there and grows by a half with each span.
+/// Spans longer than one and a half times `spacing` (s) cut into equal parts of about that length.
+std::vector<double> subdivided(const std::vector<double>& breakpoints, double spacing);
+
+/// More breakpoints about each feature: the spacing is the feature's there and grows by a half with
+/// each span.
 std::vector<double> graded(const std::vector<double>& breakpoints,
-                           const std::vector<double>& centres, double finest);
+                           const std::vector<SeamFeature>& features);
 
 /// About every n-th of them; the first and the last are kept.
 std::vector<double> every_nth(const std::vector<double>& breakpoints, std::size_t n);

@@ -13,6 +13,7 @@
 #include "refine/breakpoints.hpp"
 #include "refine/collocation.hpp"
 #include "refine/dip_search.hpp"
+#include "refine/seam_features.hpp"
 
 namespace wristwise {
 
@@ -31,9 +32,7 @@ constexpr double kSmoothingSpans = 20;  ///< the seed is smoothed over the durat
 constexpr int kPointsPerSpan = 3;
 constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
 constexpr int kMostSplits = 6;
-/// m, of a jump of the third derivative times the spacing cubed; the error is about a hundredth.
-constexpr double kJumpThatShows = 2e-4;
-constexpr double kFinestSpan = 0.05;    ///< of the first spacing, where the seam's jerk jumps
+constexpr double kSameTime = 1e-7;       ///< s
 constexpr double kShortestSpan = 0.02;  ///< of the first spacing
 constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8, false, 2};
 constexpr double kSmall = 1e-4;  ///< m and rad; multipliers of smaller violations are worth keeping
@@ -55,27 +54,6 @@ double seam_turning(const Task& task, double step) {
     from = &waypoint;
   }
   return turning;
-}
-
-/// Times (s) inside the motion at which the seam's third derivative jumps by more than curves of
-/// this spacing (s) can follow: knots of its time law, and where welding begins and ends.
-std::vector<double> jerk_jumps(const Task& task, double spacing) {
-  std::vector<double> times;
-  if (task.seam.is_retimed()) {
-    const Trajectory& law = task.seam.seam_time();
-    const double speed = task.seam.length() / (law.positions().back() - law.positions().front())[0];
-    for (std::size_t i = 1; i + 1 < law.times().size(); ++i) {
-      const double t = law.times()[i], a_little = 1e-9 * (law.times()[i + 1] - law.times()[i - 1]);
-      const double jump = (law.evaluate(t + a_little, 3) - law.evaluate(t - a_little, 3)).norm();
-      if (speed * jump * std::pow(spacing, 3) > kJumpThatShows) times.push_back(t);
-    }
-  }
-  for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
-    const Waypoint &here = task.waypoints[i], &next = task.waypoints[i + 1];
-    if (here.welding != next.welding) times.push_back(here.welding ? here.time : next.time);
-  }
-  std::sort(times.begin(), times.end());
-  return times;
 }
 
 /// One run from a seed: coarse curves first, then the knots that the motion needs.
@@ -145,15 +123,22 @@ class Attempt {
 
   /// Breakpoints from coarse to fine, each a subset of the next.
   std::vector<std::vector<double>> knot_levels(const std::vector<double>& times) const {
-    std::vector<std::vector<double>> levels = {graded(choose_breakpoints(times, spacing()),
-                                                      jerk_jumps(input_.task, spacing()),
-                                                      kFinestSpan * spacing())};
+    std::vector<std::vector<double>> levels = {finest_level(times)};
     const double fewest = std::max(kCoarsestSpans, turning_ / (2 * kTurnOfASpan));
     while (static_cast<double>(levels.back().size() - 1) >= kCoarsening * fewest) {
       levels.push_back(every_nth(levels.back(), kCoarsening));
     }
     std::reverse(levels.begin(), levels.end());
     return levels;
+  }
+
+  /// At waypoints, which are then the rows of the result. A seam with features needs knots, and so
+  /// rows, between them.
+  std::vector<double> finest_level(const std::vector<double>& times) const {
+    std::vector<double> breakpoints = choose_breakpoints(times, spacing());
+    const std::vector<SeamFeature> features = seam_features(input_.task, spacing());
+    if (features.empty()) return breakpoints;
+    return graded(subdivided(breakpoints, spacing()), features);
   }
 
   void place_points(std::size_t level) {
@@ -268,13 +253,14 @@ class Attempt {
             statistics};
   }
 
-  /// Of the waypoints and the knots between them.
+  /// Of the waypoints and the knots between them. A knot that is a waypoint but for rounding is no
+  /// row of its own: a quintic across it is the same curve.
   std::vector<double> row_times(const SplineBasis& basis) const {
-    std::vector<double> times = waypoint_times();
-    const std::size_t waypoints = times.size();
+    const std::vector<double> waypoints = waypoint_times();
+    std::vector<double> times = waypoints;
     for (const double t : basis.breakpoints()) {
-      const auto end = times.begin() + static_cast<std::ptrdiff_t>(waypoints);
-      if (!std::binary_search(times.begin(), end, t)) times.push_back(t);
+      const auto after = std::lower_bound(waypoints.begin(), waypoints.end(), t - kSameTime);
+      if (after == waypoints.end() || *after > t + kSameTime) times.push_back(t);
     }
     std::sort(times.begin(), times.end());
     return times;
