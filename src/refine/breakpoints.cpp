@@ -25,12 +25,12 @@ std::vector<double> choose_breakpoints(const std::vector<double>& times, double 
   return breakpoints;
 }
 
-std::vector<double> subdivided(const std::vector<double>& breakpoints, double spacing) {
+std::vector<double> with_long_spans_cut(const std::vector<double>& breakpoints, double spacing) {
   std::vector<double> result = {breakpoints.front()};
   for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
     const double from = breakpoints[i], to = breakpoints[i + 1];
-    const double parts = std::max(1.0, std::round((to - from) / spacing));
-    for (double k = 1; k < parts; ++k) result.push_back(from + k * (to - from) / parts);
+    const auto parts = static_cast<int>(std::max(1.0, std::round((to - from) / spacing)));
+    for (int k = 1; k < parts; ++k) result.push_back(from + k * (to - from) / parts);
     result.push_back(to);
   }
   return result;

@@ -32,7 +32,7 @@ constexpr double kSmoothingSpans = 20;  ///< the seed is smoothed over the durat
 constexpr int kPointsPerSpan = 3;
 constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
 constexpr int kMostSplits = 6;
-constexpr double kSameTime = 1e-7;       ///< s
+constexpr double kSameTime = 1e-7;      ///< s
 constexpr double kShortestSpan = 0.02;  ///< of the first spacing
 constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8, false, 2};
 constexpr double kSmall = 1e-4;  ///< m and rad; multipliers of smaller violations are worth keeping
@@ -138,7 +138,7 @@ class Attempt {
     std::vector<double> breakpoints = choose_breakpoints(times, spacing());
     const std::vector<SeamFeature> features = seam_features(input_.task, spacing());
     if (features.empty()) return breakpoints;
-    return graded(subdivided(breakpoints, spacing()), features);
+    return graded(with_long_spans_cut(breakpoints, spacing()), features);
   }
 
   void place_points(std::size_t level) {

@@ -10,7 +10,7 @@ namespace {
 /// m, of a jump of the third derivative times the spacing cubed; a curve's error is about a
 /// hundredth of it.
 constexpr double kJumpThatShows = 2e-4;
-constexpr double kFinest = 0.05;         ///< of the spacing
+constexpr double kFinest = 0.05;  ///< of the spacing
 constexpr int kSpansOfARoundedCorner = 8;
 constexpr int kSpansOfASharpCorner = 4;  ///< while the TCP goes as far as it may be off the seam
 
