@@ -25,6 +25,7 @@ constexpr std::array<double, 3> kStartShares = {1, 0.1, 100};
 constexpr double kPointsOfUnitWeight = 50;  ///< the weight of a point is 1 where it stands for 1/50
 constexpr double kFewestSpans = 48;
 constexpr double kCoarsestSpans = 12;
+constexpr double kMostSpans = 1e5;  ///< that long spans are cut into
 constexpr std::size_t kCoarsening = 4;
 constexpr double kTurningStep = 0.04;   ///< of the smoothing time
 constexpr double kTurnOfASpan = 0.25;   ///< rad, of the seam
@@ -138,7 +139,8 @@ class Attempt {
     std::vector<double> breakpoints = choose_breakpoints(times, spacing());
     const std::vector<SeamFeature> features = seam_features(input_.task, spacing());
     if (features.empty()) return breakpoints;
-    return graded(with_long_spans_cut(breakpoints, spacing()), features);
+    const double longest = std::max(spacing(), duration_ / kMostSpans);
+    return graded(with_long_spans_cut(breakpoints, longest), features);
   }
 
   void place_points(std::size_t level) {
