@@ -85,6 +85,14 @@ TEST(ActiveConstraints, ARangeOfAJoint) {
   EXPECT_NE(hurdle.sentence.find("y is at its lower limit"), std::string::npos) << hurdle.sentence;
 }
 
+TEST(ActiveConstraints, AJointNamedLikeAPairOfBodiesIsNone) {
+  Example example = over_a_hurdle();
+  example.parts.joints[1].name = "y - slide";
+  const ActiveConstraint hurdle = find(example.run(), "y - slide", 1, 9);
+  EXPECT_NE(hurdle.sentence.find("y - slide is at its lower limit"), std::string::npos)
+      << hurdle.sentence;
+}
+
 TEST(ActiveConstraints, AClearance) {
   Example example;
   ToleranceBox box = gantry::box(0, 0.1);

@@ -30,8 +30,8 @@ TEST(EveryNth, KeepsTheEndsAndIsNested) {
 }
 
 TEST(Subdivided, CutsLongSpansOnly) {
-  EXPECT_EQ(subdivided({0, 1, 4, 5.4}, 1), (std::vector<double>{0, 1, 2, 3, 4, 5.4}));
-  EXPECT_EQ(subdivided({0, 1}, 10), (std::vector<double>{0, 1}));
+  EXPECT_EQ(with_long_spans_cut({0, 1, 4, 5.4}, 1), (std::vector<double>{0, 1, 2, 3, 4, 5.4}));
+  EXPECT_EQ(with_long_spans_cut({0, 1}, 10), (std::vector<double>{0, 1}));
 }
 
 TEST(Graded, IsFineAtTheCentresAndNoFinerElsewhere) {

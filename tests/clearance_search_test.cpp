@@ -157,35 +157,6 @@ TEST(ClearanceSearch, ListsWhereItIsNotShown) {
   EXPECT_GT(listed, 20);
 }
 
-TEST(PairsWithin, AreThoseThatCanComeNear) {
-  ClearanceChecker checker(workshop_model());
-  const Robot& robot = checker.model().robot();
-  std::mt19937 random(66);
-  int named = 0, left_out = 0;
-  for (int trial = 0; trial < 100; ++trial) {
-    const JointVector q = 0.8 * random_posture(robot, random);
-    const JointVector spread = JointVector::Constant(robot.joint_count(), uniform(random, 0, 0.1));
-    const double required = uniform(random, 0, 0.1);
-    const std::vector<int> pairs = pairs_within(checker, q, spread, required);
-    const auto has = [&](int pair) {
-      return std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
-    };
-    JointVector moved = q;
-    for (int j = 0; j < q.size(); ++j) moved[j] += spread[j] * uniform(random, -1, 1);
-    for (const JointVector& at : {q, moved}) {
-      checker.set_posture(at);
-      for (int pair = 0; pair < static_cast<int>(checker.model().pairs().size()); ++pair) {
-        if (checker.distance(pair).distance < required - kMeasured) {
-          EXPECT_TRUE(has(pair));
-        }
-        ++(has(pair) ? named : left_out);
-      }
-    }
-  }
-  EXPECT_GT(named, 100);
-  EXPECT_GT(left_out, 1000);
-}
-
 /// No point of the farther shape is ever farther from the axis.
 TEST(Reach, HoldsForEveryPosture) {
   const auto model = workshop_model();

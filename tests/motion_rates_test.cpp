@@ -29,16 +29,6 @@ TEST(MotionRates, AlongALawAreTheDerivativesOfTheComposition) {
   }
 }
 
-TEST(MotionRates, TheLargestExcessNamesJointAndOrder) {
-  Rates rates(2, 3), limits(2, 3);
-  rates << 1, -2, 3, -4, 5, 6;
-  limits << 1, 1, INFINITY, 8, 1, 3;
-  const RateExcess excess = largest_excess(rates, limits);
-  EXPECT_EQ(excess.ratio, 5);
-  EXPECT_EQ(excess.joint, 1);
-  EXPECT_EQ(excess.derivative, 2);
-}
-
 Trajectory one_joint(std::vector<double> t, std::vector<double> q, std::vector<double> v,
                      std::vector<double> a) {
   const auto vectors = [](const std::vector<double>& values) {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "invalid_input.hpp"
 #include "seam_samples.hpp"

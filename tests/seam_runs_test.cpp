@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "invalid_input.hpp"
 #include "seam_samples.hpp"
 

@@ -107,7 +107,7 @@ struct RefineStatistics {
   int constraint_points = 0;
   std::string termination;
   double objective = 0;              ///< integral over time (F14)
-  double max_violation = 0;          ///< of the constraints at their points
+  double max_violation = 0;          ///< m or rad, of the constraints at their points
   std::size_t distance_queries = 0;  ///< exact ones
   std::vector<CostTerm> terms;
   std::vector<ActiveConstraint> active;  ///< the most costly first

@@ -16,7 +16,7 @@ class SeamCurve {
  public:
   virtual ~SeamCurve() = default;
   virtual double length() const = 0;                 ///< m, of the TCP's path
-  virtual Pose frame_at(double fraction) const = 0;  ///< at a share of its time, in [0, 1]
+  virtual Pose frame_at(double fraction) const = 0;  ///< base frame; a share of its time, 0 .. 1
 };
 
 /// One piece of the nominal TCP path, run in a given time.

@@ -39,8 +39,8 @@ struct UnshownClearance {
 struct Verification {
   bool run = false;
   bool passed = false;
-  TimeRange range;            ///< of the motion
   bool curve = false;         ///< checked as a curve; else as points joined by straight moves
+  TimeRange range;            ///< of the motion
   double position_error = 0;  ///< m, largest distance from the nominal TCP at waypoints, the
                               ///< tolerance box's own width taken off
   Vector6 tolerance_excess = Vector6::Zero();  ///< m, rad beyond the box at waypoints

@@ -14,7 +14,7 @@ using Planner = std::function<PlanResult(const Problem&, const PlanOptions&)>;
 struct PlanningRun {
   Problem problem;  ///< empty where reading it failed
   PlanResult result;
-  int exit_code;
+  int exit_code = 0;
 };
 
 /// Loads the problem and runs the planner on it. An internal error becomes a failed result that

@@ -200,16 +200,4 @@ PairDistance ClearanceSearch::measure(int pair, const JointVector& q) {
   return measured;
 }
 
-std::vector<int> pairs_within(ClearanceChecker& checker, const JointVector& q,
-                              const JointVector& spread, double required) {
-  checker.set_posture(q);
-  std::vector<int> pairs;
-  for (int pair = 0; pair < static_cast<int>(checker.model().pairs().size()); ++pair) {
-    const double enough = required + checker.model().motion_radius(pair).dot(spread);
-    if (checker.lower_bound(pair) >= enough) continue;
-    if (checker.distance(pair).distance < enough) pairs.push_back(pair);
-  }
-  return pairs;
-}
-
 }  // namespace wristwise

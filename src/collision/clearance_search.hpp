@@ -74,9 +74,4 @@ class ClearanceSearch {
   std::size_t postures_ = 0;
 };
 
-/// The pairs whose distance may fall below `required` (m) while no joint strays from q by more than
-/// `spread` (rad or m).
-std::vector<int> pairs_within(ClearanceChecker& checker, const JointVector& q,
-                              const JointVector& spread, double required);
-
 }  // namespace wristwise

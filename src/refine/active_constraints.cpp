@@ -35,6 +35,7 @@ struct Stretch {
   std::string name;
   Side side = Side::upper;
   ActiveConstraint::Unit unit = ActiveConstraint::Unit::metre;
+  bool is_clearance = false;
   double from = 0, to = 0;
   double sum = 0;  ///< of |lambda|
 };
@@ -115,7 +116,8 @@ void add_points(const ClearanceModel& clearance, const std::vector<PointConstrai
         if ((side == Side::both) != fixed) continue;
         auto& [kind, samples] = groups[{row.kind, row.index, side}];
         if (samples.empty())
-          kind = {name_of(clearance, row), side, unit_of(clearance.robot(), row), 0, 0, 0};
+          kind = {name_of(clearance, row), side, unit_of(clearance.robot(), row),
+                  row.kind == Kind::clearance};
         const bool presses = fixed || (side == Side::upper ? multiplier > 0 : multiplier < 0);
         samples.push_back({position, point.time, presses ? multiplier : 0});
       }
@@ -175,8 +177,7 @@ std::string step_text(ActiveConstraint::Unit unit, double step) {
   return fmt::format("{:.3g}%", step * 100);
 }
 
-std::string sentence(const Stretch& stretch, double relative, bool is_clearance,
-                     const std::string& held_by) {
+std::string sentence(const Stretch& stretch, double relative, const std::string& held_by) {
   double step = told_step(stretch.unit);
   while (relative * step > 0.3) step /= 10;  // a linear forecast says nothing about large steps
   const std::string gain =
@@ -184,7 +185,7 @@ std::string sentence(const Stretch& stretch, double relative, bool is_clearance,
                   100 * relative * step);
   const std::string when = fmt::format("from {:.4g} to {:.4g} s", stretch.from, stretch.to);
   const std::string amount = step_text(stretch.unit, step);
-  if (is_clearance)
+  if (stretch.is_clearance)
     return fmt::format("{} are at their clearance {}; {} less would {}", stretch.name, when, amount,
                        gain);
   const std::string at = stretch.side == Side::lower    ? "at its lower limit"
@@ -209,21 +210,18 @@ std::vector<ActiveConstraint> active_constraints(const ClearanceModel& clearance
   std::vector<Stretch> stretches;
   add_points(clearance, points, stretches);
   add_limits(clearance.robot(), spline.basis, limits, stretches);
-  const auto is_clearance = [](const Stretch& stretch) {
-    return stretch.name.find(" - ") != std::string::npos;
-  };
   std::vector<ActiveConstraint> result;
   for (const Stretch& stretch : stretches) {
     const double relative = 2 * stretch.sum / objective;
     if (!(relative * told_step(stretch.unit) >= kNoticeable)) continue;
     std::string held_by;
     for (const Stretch& other : stretches) {
-      if (!is_clearance(stretch) && stretch.side != Side::both && is_clearance(other) &&
+      if (!stretch.is_clearance && stretch.side != Side::both && other.is_clearance &&
           overlap(stretch, other))
         held_by = other.name;
     }
     result.push_back({stretch.name, stretch.unit, stretch.from, stretch.to, relative,
-                      sentence(stretch, relative, is_clearance(stretch), held_by)});
+                      sentence(stretch, relative, held_by)});
   }
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
     return a.relative_gain * told_step(a.unit) > b.relative_gain * told_step(b.unit);

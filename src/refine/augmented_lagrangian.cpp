@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "refine/spline_solver.hpp"
 
 namespace wristwise {
 

@@ -7,7 +7,7 @@
 #include "refine/objective.hpp"
 #include "refine/point_constraint.hpp"
 #include "refine/refinement.hpp"
-#include "refine/spline_solver.hpp"
+#include "refine/stop.hpp"
 
 namespace wristwise {
 
@@ -58,7 +58,6 @@ class AugmentedLagrangian {
   ObjectiveTerms terms() const;
   double violation() const { return places_.violation; }      ///< m, rad
   double rate_violation() const { return rates_.violation; }  ///< shares of the limits
-  bool rates_hold() const;
   /// Times (s) of the points and control points that are violated by more than `tolerance`.
   std::vector<double> violated_times(double tolerance) const;
 
@@ -83,6 +82,7 @@ class AugmentedLagrangian {
   bool minimise_once(double function_tolerance, const Stop& stop);
   void add_near_pairs_everywhere();
   void measure();
+  bool rates_hold() const;
   bool tighten(const Accuracy& accuracy, double objective, bool moves);
   void update_multipliers();
   Group& group_of(const LimitConstraint& limit);

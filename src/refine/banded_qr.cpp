@@ -1,7 +1,7 @@
 #include "refine/banded_qr.hpp"
 
 #include <Eigen/QR>
-#include <algorithm>
+#include <utility>
 
 namespace wristwise {
 

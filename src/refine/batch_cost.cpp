@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace wristwise {
 
@@ -27,7 +28,8 @@ void BatchCost::merge(const std::array<int, kLocal>& slots) {
   const int count = 1 + *std::max_element(slots.begin(), slots.end());
   merged_ = count < kLocal;
   mutable_parameter_block_sizes()->assign(static_cast<std::size_t>(count), joints_);
-  if (merged_) scratch_.resize(static_cast<std::size_t>(kLocal * num_residuals() * joints_));
+  const auto residuals = static_cast<std::size_t>(num_residuals());
+  if (merged_) scratch_.resize(kLocal * residuals * static_cast<std::size_t>(joints_));
 }
 
 bool BatchCost::Evaluate(double const* const* parameters, double* residuals,
@@ -56,7 +58,7 @@ void BatchCost::evaluate_parts(double const* const* control, double* residuals,
     Blocks rows{};
     for (int k = 0; k < kLocal; ++k) {
       if (jacobians[k] == nullptr) continue;
-      double* block = jacobians[k] + part.row * joints_;
+      double* block = jacobians[k] + std::ptrdiff_t{part.row} * joints_;
       const bool seen = k >= part.first && k < part.first + blocks;
       if (seen) rows[static_cast<std::size_t>(k - part.first)] = block;
       if (!seen) std::fill_n(block, size, 0.0);
@@ -71,7 +73,7 @@ void BatchCost::evaluate_merged(double const* const* control, double* residuals,
   const int size = num_residuals() * joints_;
   Blocks blocks{};
   for (int k = 0; k < kLocal; ++k) {
-    blocks[static_cast<std::size_t>(k)] = scratch_.data() + k * size;
+    blocks[static_cast<std::size_t>(k)] = scratch_.data() + std::ptrdiff_t{k} * size;
   }
   evaluate_parts(control, residuals, blocks.data());
   for (std::size_t slot = 0; slot < parameter_block_sizes().size(); ++slot) {

@@ -25,12 +25,12 @@ std::vector<double> choose_breakpoints(const std::vector<double>& times, double 
   return breakpoints;
 }
 
-std::vector<double> subdivided(const std::vector<double>& breakpoints, double spacing) {
+std::vector<double> with_long_spans_cut(const std::vector<double>& breakpoints, double spacing) {
   std::vector<double> result = {breakpoints.front()};
   for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
     const double from = breakpoints[i], to = breakpoints[i + 1];
-    const double parts = std::max(1.0, std::round((to - from) / spacing));
-    for (double k = 1; k < parts; ++k) result.push_back(from + k * (to - from) / parts);
+    const auto parts = static_cast<int>(std::max(1.0, std::round((to - from) / spacing)));
+    for (int k = 1; k < parts; ++k) result.push_back(from + k * (to - from) / parts);
     result.push_back(to);
   }
   return result;
@@ -43,14 +43,16 @@ std::vector<double> graded(const std::vector<double>& breakpoints,
   const double widest = (last - first) / static_cast<double>(breakpoints.size() - 1);
   // Candidates by the spacing that is wanted at each; what is too near to a finer one goes.
   std::vector<std::pair<double, double>> candidates;
+  candidates.reserve(breakpoints.size());
   for (const double t : breakpoints) candidates.emplace_back(widest, t);
   for (const SeamFeature& feature : features) {
     candidates.emplace_back(0.5 * feature.finest, feature.time);
-    double offset = 0;
-    for (double step = feature.finest; step < widest; step *= kGrowth) {
+    double offset = 0, step = feature.finest;
+    while (step < widest) {
       offset += step;
       candidates.emplace_back(step, feature.time - offset);
       candidates.emplace_back(step, feature.time + offset);
+      step *= kGrowth;
     }
   }
   std::sort(candidates.begin(), candidates.end());

@@ -12,7 +12,7 @@ namespace wristwise {
 std::vector<double> choose_breakpoints(const std::vector<double>& times, double spacing);
 
 /// Spans longer than one and a half times `spacing` (s) cut into equal parts of about that length.
-std::vector<double> subdivided(const std::vector<double>& breakpoints, double spacing);
+std::vector<double> with_long_spans_cut(const std::vector<double>& breakpoints, double spacing);
 
 /// More breakpoints about each feature: the spacing is the feature's there and grows by a half with
 /// each span.

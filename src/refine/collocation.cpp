@@ -67,7 +67,8 @@ std::vector<std::size_t> Collocation::spread(const SplineBasis& basis, int per_s
     const double end = basis.breakpoints()[static_cast<std::size_t>(span) + 1];
     const std::size_t first = i;
     while (i + 1 < waypoints.size() && waypoints[i].time < end * (1 + 1e-15)) ++i;
-    const std::size_t count = i - first, kept = std::min<std::size_t>(count, per_span);
+    const std::size_t count = i - first;
+    const std::size_t kept = std::min(count, static_cast<std::size_t>(per_span));
     for (std::size_t k = 0; k < count; ++k) {
       const bool takes_turn = (k + 1) * kept / count > k * kept / count;
       if (takes_turn || waypoints[first + k].joints) chosen.push_back(first + k);

@@ -42,6 +42,21 @@ bool depends_on_posture(const ObjectiveWeights& weights) {
   return has_euler(weights) || weights.derivative[0] > 0 || weights.singularity > 0;
 }
 
+/// The terms of a posture by itself, over a time `width` (s).
+void add_posture_terms(const ObjectiveWeights& weights, const Robot& robot, const JointVector& q,
+                       double width, ObjectiveTerms& terms) {
+  terms.posture += width * posture_density(weights, q);
+  if (weights.singularity > 0) terms.singularity += width * singularity_density(weights, robot, q);
+}
+
+/// @param integral element k of |W q^(k)|^2, k = 1 .. 3
+void set_derivative_terms(const ObjectiveWeights& weights, const std::array<double, 4>& integral,
+                          ObjectiveTerms& terms) {
+  terms.joint_motion = weights.derivative[1] * integral[1];
+  terms.acceleration = weights.derivative[2] * integral[2];
+  terms.jerk = weights.derivative[3] * integral[3];
+}
+
 }  // namespace
 
 ObjectiveWeights objective_weights(const CostOptions& cost, double smoothing_time, int joints) {
@@ -66,8 +81,8 @@ ObjectiveWeights objective_weights(const CostOptions& cost, double smoothing_tim
 
 ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& robot,
                                const Task& task, const Spline& spline) {
+  ObjectiveTerms terms;
   std::array<double, 4> integral{};
-  double posture = 0, singularity = 0;
   for (const QuadraturePoint& point : gauss_points(spline.basis.breakpoints())) {
     for (int k = 1; k <= 3; ++k) {
       integral[static_cast<std::size_t>(k)] +=
@@ -75,29 +90,23 @@ ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& rob
     }
     if (!depends_on_posture(weights)) continue;
     const JointVector q = spline.evaluate(point.time);
-    posture += point.weight * posture_density(weights, q);
-    if (weights.singularity > 0)
-      singularity += point.weight * singularity_density(weights, robot, q);
+    add_posture_terms(weights, robot, q, point.weight, terms);
     if (!has_euler(weights)) continue;
     if (const auto box = task.tolerance_between(interval_at(task, point.time))) {
-      integral[0] +=
+      terms.euler +=
           point.weight * euler_density(weights, robot, *box, task.seam.frame_at(point.time), q);
     }
   }
-  return {weights.derivative[1] * integral[1],
-          weights.derivative[2] * integral[2],
-          weights.derivative[3] * integral[3],
-          integral[0],
-          posture,
-          singularity};
+  set_derivative_terms(weights, integral, terms);
+  return terms;
 }
 
 // (F13) integral |q^(k)|^2 dt ~ sum_i |k! [q_i .. q_i+k]|^2 (t_i+k - t_i) / k; with equal steps h
 // this is the sum of squared k-th differences over h^(2k-1).
 ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& robot,
                                const Task& task, const JointPath& path) {
+  ObjectiveTerms terms;
   std::array<double, 4> integral{};
-  double posture = 0, singularity = 0;
   for (int k = 1; k <= 3; ++k) {
     const auto differences = divided_differences(path, k);
     for (std::size_t i = 0; i < differences.size(); ++i) {
@@ -110,32 +119,26 @@ ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& rob
     const double before = i > 0 ? path.times[i] - path.times[i - 1] : 0;
     const double after = i + 1 < path.size() ? path.times[i + 1] - path.times[i] : 0;
     const double width = 0.5 * (before + after);
-    posture += width * posture_density(weights, path.positions[i]);
-    if (weights.singularity > 0)
-      singularity += width * singularity_density(weights, robot, path.positions[i]);
+    add_posture_terms(weights, robot, path.positions[i], width, terms);
     const Waypoint& waypoint = task.waypoints[i];
     if (!has_euler(weights) || waypoint.joints) continue;
-    integral[0] += width * euler_density(weights, robot, waypoint.tolerance, waypoint.frame,
+    terms.euler += width * euler_density(weights, robot, waypoint.tolerance, waypoint.frame,
                                          path.positions[i]);
   }
-  return {weights.derivative[1] * integral[1],
-          weights.derivative[2] * integral[2],
-          weights.derivative[3] * integral[3],
-          integral[0],
-          posture,
-          singularity};
+  set_derivative_terms(weights, integral, terms);
+  return terms;
 }
 
 std::vector<ObjectiveRow> objective_rows(const ObjectiveWeights& weights,
                                          const SplineBasis& basis) {
-  constexpr int kPoints = 5;
   const auto points = gauss_points(basis.breakpoints());
+  auto next = points.begin();
   BandedQr qr(0);
-  BandedQr::Rows rows(4 * kPoints, BandedQr::kLocal);
-  const Eigen::MatrixXd nothing(4 * kPoints, 0);
+  BandedQr::Rows rows(4 * kGaussPoints, BandedQr::kLocal);
+  const Eigen::MatrixXd nothing(4 * kGaussPoints, 0);
   for (int span = 0; span < basis.span_count(); ++span) {
-    for (int i = 0; i < kPoints; ++i) {
-      const QuadraturePoint& point = points[static_cast<std::size_t>(span * kPoints + i)];
+    for (Eigen::Index i = 0; i < kGaussPoints; ++i) {
+      const QuadraturePoint& point = *next++;
       const SplineBasis::Values values = basis.at(point.time);
       for (int k = 0; k < 4; ++k) {
         rows.row(4 * i + k) =

@@ -25,6 +25,7 @@ constexpr std::array<double, 3> kStartShares = {1, 0.1, 100};
 constexpr double kPointsOfUnitWeight = 50;  ///< the weight of a point is 1 where it stands for 1/50
 constexpr double kFewestSpans = 48;
 constexpr double kCoarsestSpans = 12;
+constexpr double kMostSpans = 1e5;  ///< that long spans are cut into
 constexpr std::size_t kCoarsening = 4;
 constexpr double kTurningStep = 0.04;   ///< of the smoothing time
 constexpr double kTurnOfASpan = 0.25;   ///< rad, of the seam
@@ -32,7 +33,7 @@ constexpr double kSmoothingSpans = 20;  ///< the seed is smoothed over the durat
 constexpr int kPointsPerSpan = 3;
 constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
 constexpr int kMostSplits = 6;
-constexpr double kSameTime = 1e-7;       ///< s
+constexpr double kSameTime = 1e-7;      ///< s
 constexpr double kShortestSpan = 0.02;  ///< of the first spacing
 constexpr Accuracy kCoarse{1e-3, 0.03, 1e-4, 8, false, 2};
 constexpr double kSmall = 1e-4;  ///< m and rad; multipliers of smaller violations are worth keeping
@@ -138,7 +139,8 @@ class Attempt {
     std::vector<double> breakpoints = choose_breakpoints(times, spacing());
     const std::vector<SeamFeature> features = seam_features(input_.task, spacing());
     if (features.empty()) return breakpoints;
-    return graded(subdivided(breakpoints, spacing()), features);
+    const double longest = std::max(spacing(), duration_ / kMostSpans);
+    return graded(with_long_spans_cut(breakpoints, longest), features);
   }
 
   void place_points(std::size_t level) {

@@ -10,7 +10,8 @@ namespace {
 /// m, of a jump of the third derivative times the spacing cubed; a curve's error is about a
 /// hundredth of it.
 constexpr double kJumpThatShows = 2e-4;
-constexpr double kFinest = 0.05;         ///< of the spacing
+constexpr double kFinest = 0.05;           ///< of the spacing
+constexpr double kFinestAtACorner = 1e-3;  ///< of the spacing
 constexpr int kSpansOfARoundedCorner = 8;
 constexpr int kSpansOfASharpCorner = 4;  ///< while the TCP goes as far as it may be off the seam
 
@@ -47,7 +48,7 @@ void add_rounded_corners(const Task& task, double spacing, std::vector<SeamFeatu
 
 /// Corners at full speed are left to the rows that there are: the curve may cut them inside the
 /// tolerance.
-void add_slow_corners(const Task& task, std::vector<SeamFeature>& features) {
+void add_slow_corners(const Task& task, double spacing, std::vector<SeamFeature>& features) {
   if (!task.seam.is_retimed()) return;
   for (std::size_t i = 0; i + 1 < task.seam.pieces().size(); ++i) {
     const double t = task.seam.real_time(task.seam.pieces()[i].end_time);
@@ -56,9 +57,9 @@ void add_slow_corners(const Task& task, std::vector<SeamFeature>& features) {
     const Eigen::Vector3d before = at - task.seam.frame_at(t - a_little).translation();
     const Eigen::Vector3d after = task.seam.frame_at(t + a_little).translation() - at;
     const double jump = (after - before).norm() / a_little;  // m/s
-    if (jump < 1e-3 * (after.norm() + before.norm()) / a_little) continue;
+    if (!(jump > 1e-3 * (after.norm() + before.norm()) / a_little)) continue;
     const double allowed = task.between_position / jump;
-    features.push_back({t, allowed / kSpansOfASharpCorner});
+    features.push_back({t, std::max(allowed / kSpansOfASharpCorner, kFinestAtACorner * spacing)});
   }
 }
 
@@ -69,7 +70,7 @@ std::vector<SeamFeature> seam_features(const Task& task, double spacing) {
   add_law_knots(task, spacing, features);
   add_ends_of_welding(task, spacing, features);
   add_rounded_corners(task, spacing, features);
-  add_slow_corners(task, features);
+  add_slow_corners(task, spacing, features);
   const double start = task.waypoints.front().time, end = task.waypoints.back().time;
   features.erase(std::remove_if(features.begin(), features.end(),
                                 [&](const SeamFeature& feature) {

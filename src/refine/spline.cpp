@@ -82,8 +82,9 @@ std::vector<double> SplineBasis::derivative_weights(int derivative, int i) const
   for (int k = 1; k <= derivative; ++k) {
     for (int m = 0; m + k <= derivative; ++m) {
       const double width = knot(i + m + kDegree + 1) - knot(i + m + k);
-      auto& here = weights[static_cast<std::size_t>(m)];
-      const auto& next = weights[static_cast<std::size_t>(m + 1)];
+      const auto at = static_cast<std::size_t>(m);
+      auto& here = weights[at];
+      const auto& next = weights[at + 1];
       for (std::size_t w = 0; w < here.size(); ++w) {
         here[w] = (kDegree - k + 1) * (next[w] - here[w]) / width;
       }
@@ -159,23 +160,23 @@ Spline fit_spline(const JointPath& path, std::vector<double> breakpoints, double
   const double acceleration_factor = std::sqrt(trace * std::pow(span_width, 4));
   const double jerk_factor = std::sqrt(trace * std::pow(span_width, 6) + jerk_weight);
 
-  constexpr int kPoints = 5;
   const auto points = gauss_points(basis.breakpoints());
+  auto next = points.begin();
   BandedQr qr(joints);
   std::size_t i = 0;
   for (int span = 0; span < basis.span_count(); ++span) {
     const std::size_t first = i;
     while (i < path.size() && basis.at(path.times[i]).first == span) ++i;
     const auto count = static_cast<Eigen::Index>(i - first);
-    BandedQr::Rows rows(count + 2 * kPoints, BandedQr::kLocal);
+    BandedQr::Rows rows(count + 2 * kGaussPoints, BandedQr::kLocal);
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(rows.rows(), joints);
     for (Eigen::Index k = 0; k < count; ++k) {
       const std::size_t at = first + static_cast<std::size_t>(k);
       rows.row(k) = basis.at(path.times[at]).derivatives.col(0).transpose();
       right.row(k) = path.positions[at].transpose();
     }
-    for (int k = 0; k < kPoints; ++k) {
-      const QuadraturePoint& point = points[static_cast<std::size_t>(span * kPoints + k)];
+    for (Eigen::Index k = 0; k < kGaussPoints; ++k) {
+      const QuadraturePoint& point = *next++;
       const SplineBasis::Values values = basis.at(point.time);
       const double root = std::sqrt(point.weight);
       rows.row(count + 2 * k) = root * acceleration_factor * values.derivatives.col(2).transpose();

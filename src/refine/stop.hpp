@@ -15,13 +15,13 @@ class Stop {
       : monitor_(monitor), time_limit_(time_limit) {}
 
   bool requested() const { return monitor_.cancelled() || time_is_up(); }
+
+ private:
   bool time_is_up() const {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
     return passed.count() > time_limit_;
   }
-  const Monitor& monitor() const { return monitor_; }
 
- private:
   const Monitor& monitor_;
   double time_limit_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "smoothing/chord_bound.hpp"
-#include "smoothing/pose_difference.hpp"
+#include "task/pose_difference.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {

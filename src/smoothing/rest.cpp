@@ -1,6 +1,6 @@
 #include "smoothing/rest.hpp"
 
-#include "smoothing/pose_difference.hpp"
+#include "task/pose_difference.hpp"
 
 namespace wristwise {
 

@@ -1,9 +1,8 @@
 #include "smoothing/straight_time.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "smoothing/pose_difference.hpp"
+#include "task/pose_difference.hpp"
 
 namespace wristwise {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "task/shifted_polynomial.hpp"
+
 namespace wristwise {
 
 namespace {

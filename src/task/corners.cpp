@@ -7,6 +7,7 @@
 
 #include "task/corner_blend.hpp"
 #include "task/path_point.hpp"
+#include "task/pose_difference.hpp"
 #include "task/seam_pace.hpp"
 #include "wristwise/error.hpp"
 
@@ -14,23 +15,20 @@ namespace wristwise {
 
 namespace {
 
-constexpr double kLeastAngle = 1e-3;                      // rad, of a corner
-constexpr double kSharpest = 170 * 0.017453292519943295;  // rad, of a corner that is rounded off
-constexpr double kLeastLength = 1e-9;                     // m, of what is left of a stretch
-constexpr double kLeastTime = 1e-9;                       // s, likewise
-constexpr double kRoundOff = 1e-9;                        // relative
-constexpr double kSpannedTolerance = 1e-9;                // rad
+constexpr double kDegree = 0.017453292519943295;  // rad
+constexpr double kLeastAngle = 1e-3;              // rad, of a corner
+constexpr double kSharpest = 170 * kDegree;       // rad, of a corner that is rounded off
+constexpr double kLeastLength = 1e-9;             // m, of what is left of a stretch
+constexpr double kLeastTime = 1e-9;               // s, likewise
+constexpr double kRoundOff = 1e-9;                // relative
+constexpr double kSpannedTolerance = 1e-9;        // rad
 
-double degrees(double angle) { return angle / 0.017453292519943295; }
+double degrees(double angle) { return angle / kDegree; }
 
 bool is_path(const Stretch& stretch) { return stretch.piece.kind != SeamPiece::Kind::move; }
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-double turn_between(const Pose& from, const Pose& to) {
-  return Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();
 }
 
 bool lies_in(const ToleranceBox& box, const Pose& frame, const Pose& pose) {

@@ -33,11 +33,4 @@ VectorTaylor vector_polynomial(const Eigen::Matrix<double, 3, 6>& c, const Taylo
   return sum;
 }
 
-// By repeated synthetic division.
-Eigen::Matrix<double, 3, 6> shifted(Eigen::Matrix<double, 3, 6> c, double x) {
-  for (int from = 0; from < 5; ++from)
-    for (int k = 4; k >= from; --k) c.col(k) += x * c.col(k + 1);
-  return c;
-}
-
 }  // namespace wristwise

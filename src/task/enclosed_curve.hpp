@@ -35,7 +35,4 @@ EnclosedOrientation any_orientation();  ///< likewise
 /// A vector of polynomials: column k is the coefficient of f^k.
 VectorTaylor vector_polynomial(const Eigen::Matrix<double, 3, 6>& c, const Taylor& f);
 
-/// The coefficients about another point: sum of c_k (x + f)^k as a polynomial in f.
-Eigen::Matrix<double, 3, 6> shifted(Eigen::Matrix<double, 3, 6> c, double x);
-
 }  // namespace wristwise

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "task/shifted_polynomial.hpp"
+
 namespace wristwise {
 
 MotionPiece::MotionPiece(double start, double end, const Polynomials& over_all)
@@ -13,15 +15,12 @@ MotionPiece::MotionPiece(double start, double end, const JointVector& from, cons
   over_all_.col(1) = 0.5 * (to - from);
 }
 
-// p(m + w s) by repeated synthetic division about m, then w^k into the k-th coefficient.
+// p(m + w s): shifted to m, then w^k into the k-th coefficient.
 MotionPiece::Polynomials MotionPiece::over(double t0, double t1) const {
   const double length = end_ - start_;
   const double middle = ((t0 - start_) + (t1 - end_)) / length;
   const double width = (t1 - t0) / length;
-  Polynomials c = over_all_;
-  for (int from = 0; from < 5; ++from) {
-    for (int k = 4; k >= from; --k) c.col(k) += middle * c.col(k + 1);
-  }
+  Polynomials c = shifted(over_all_, middle);
   double power = 1;
   for (int k = 1; k < 6; ++k) c.col(k) *= power *= width;
   return c;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "task/arc_length.hpp"
+#include "task/shifted_polynomial.hpp"
 
 namespace wristwise {
 

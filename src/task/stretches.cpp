@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "task/pose_difference.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/kinematics.hpp"
 
@@ -16,10 +16,6 @@ constexpr double kJoinTolerance = 1e-6;  // m
 constexpr double kLeastLength = 1e-9;    // m, of a stretch
 constexpr double kLeastTime = 1e-9;      // s, of a move
 constexpr double kLeastTurn = 1e-9;      // rad, of a stretch that turns on the spot in a given time
-
-double turn_between(const Pose& from, const Pose& to) {
-  return Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();
-}
 
 [[noreturn]] void fail_repeated(const std::string& where, const std::string& expected) {
   throw InvalidInput(where, "repeated waypoint", expected);

@@ -26,7 +26,6 @@ Taylor operator*(double factor, const Taylor& f);
 Taylor operator*(const Taylor& f, const Taylor& g);
 /// Of a function that is positive; infinite rest where that is not certain.
 Taylor square_root(const Taylor& f);
-
 /// 1 / f of a function that is positive; infinite rest where that is not certain.
 Taylor reciprocal(const Taylor& f);
 /// sum of c_k f^k, k = 0 .. 5.
@@ -42,7 +41,6 @@ struct VectorTaylor {
   VectorTaylor() = default;
   VectorTaylor(const std::array<Eigen::Vector3d, Taylor::kTerms>& coefficients, double bound)
       : c(coefficients), rest(bound) {}
-  VectorTaylor(const Taylor& x, const Taylor& y, const Taylor& z);
 
   static VectorTaylor constant(const Eigen::Vector3d& value);
 
@@ -55,8 +53,6 @@ VectorTaylor operator+(const VectorTaylor& f, const VectorTaylor& g);
 VectorTaylor operator-(const VectorTaylor& f, const VectorTaylor& g);
 /// f times a fixed vector.
 VectorTaylor along(const Eigen::Vector3d& direction, const Taylor& f);
-
-Taylor dot(const VectorTaylor& f, const VectorTaylor& g);
 
 /// Turning about a fixed axis by a given angle (rad), enclosed once for all the vectors it turns.
 class TaylorTurn {

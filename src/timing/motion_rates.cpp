@@ -1,6 +1,5 @@
 #include "timing/motion_rates.hpp"
 
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -27,17 +26,6 @@ Rates along_law(const Rates& motion, const Eigen::Vector3d& law) {
   rates.col(2) = motion.col(2) * (law[0] * law[0] * law[0]) +
                  motion.col(1) * (3 * law[0] * law[1]) + motion.col(0) * law[2];
   return rates;
-}
-
-RateExcess largest_excess(const Rates& rates, const Rates& limits) {
-  RateExcess largest;
-  for (int k = 0; k < 3; ++k) {
-    for (int j = 0; j < static_cast<int>(rates.rows()); ++j) {
-      const double ratio = std::abs(rates(j, k)) / limits(j, k);
-      if (ratio > largest.ratio) largest = {ratio, j, k + 1};
-    }
-  }
-  return largest;
 }
 
 Trajectory run_along(const Trajectory& outer, const Trajectory& inner) {

@@ -19,14 +19,6 @@ Rates rate_limits(const Robot& robot);
 /// Of the motion q(tau(t)) from those of q(tau) and the derivatives 1 to 3 of tau(t) (F26).
 Rates along_law(const Rates& motion, const Eigen::Vector3d& law);
 
-/// The largest |rate| / limit.
-struct RateExcess {
-  double ratio = 0;
-  int joint = -1;
-  int derivative = 0;  ///< 1 velocity, 2 acceleration, 3 jerk
-};
-RateExcess largest_excess(const Rates& rates, const Rates& limits);
-
 /// outer(inner(t)) with the same value, velocity and acceleration at the times of `inner` (F26).
 /// @pre inner has one joint, its values lie on `outer`
 Trajectory run_along(const Trajectory& outer, const Trajectory& inner);

@@ -188,7 +188,7 @@ class SpeedProfile {
 
   bool is_near_limit(const Sample& sample) const {
     const Rates along = along_law(sample.motion, law_at(sample));
-    return largest_excess(along, limits_).ratio > kWatched * shares_[sample.stretch];
+    return along.cwiseAbs().cwiseQuotient(limits_).maxCoeff() > kWatched * shares_[sample.stretch];
   }
 
   /// Of the time, the integral of b^(-1/2), the derivative by each control point, negated.

@@ -1,8 +1,5 @@
 #include "verify/checked_motion.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace wristwise {
 
 namespace {

@@ -1,7 +1,6 @@
 #include "verify/pace_check.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "verify/failure_text.hpp"
 

@@ -1,7 +1,7 @@
 #include "verify/row_waypoints.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 namespace wristwise {
 

@@ -1,0 +1,55 @@
+#include "refine/seam_features.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "seam_samples.hpp"
+
+namespace wristwise {
+namespace {
+
+using test::describe;
+using test::line;
+using test::turned_at;
+
+/// An L of 50 mm and 50 mm at 10 mm/s, its corner run through at a fifth of that.
+Task slow_corner(double between) {
+  SeamDescription description = describe({line(turned_at(0, 0, 0), turned_at(0.05, 0, 0)),
+                                          line(turned_at(0.05, 0, 0), turned_at(0.05, 0.05, 0))});
+  description.corners.kind = CornerOptions::Kind::slow;
+  Task task = build_task(test::sliding_robot(), description);
+  task.between_position = between;
+  return task;
+}
+
+double finest_of(const std::vector<SeamFeature>& features) {
+  double finest = 1e9;
+  for (const SeamFeature& feature : features) finest = std::min(finest, feature.finest);
+  return finest;
+}
+
+/// The corner's jump in velocity is sqrt(2) 2 mm/s; a fourth of the time that 0.05 mm take at that.
+TEST(SeamFeatures, ASlowCornerHasSpansByItsTolerance) {
+  const Task task = slow_corner(5e-5);
+  const auto features = seam_features(task, 0.1);
+  EXPECT_NEAR(finest_of(features), 5e-5 / (std::sqrt(2) * 2e-3) / 4, 1e-6);
+}
+
+TEST(SeamFeatures, ACornerWithoutToleranceHasSpansOfALengthStill) {
+  for (const double between : {0.0, 1e-300, 1e-12}) {
+    const auto features = seam_features(slow_corner(between), 0.1);
+    ASSERT_FALSE(features.empty());
+    EXPECT_GE(finest_of(features), 1e-5);
+  }
+}
+
+TEST(SeamFeatures, AStraightSeamHasNone) {
+  const Task task = build_task(test::sliding_robot(),
+                               describe({line(turned_at(0, 0, 0), turned_at(0.05, 0, 0))}));
+  EXPECT_TRUE(seam_features(task, 0.1).empty());
+}
+
+}  // namespace
+}  // namespace wristwise
