@@ -1,0 +1,168 @@
+// The readers, docs/problem-file.schema.json and docs/problem-file.md know the same keys. What the
+// readers know they say themselves: a word where a map belongs is answered by the list of its keys.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "gantry_urdf.hpp"
+#include "invalid_input.hpp"
+#include "temporary_folder.hpp"
+#include "wristwise/problem.hpp"
+
+namespace wristwise {
+namespace {
+
+using Json = nlohmann::json;
+using Keys = std::set<std::string>;
+
+const std::string kDocs = std::string(WRISTWISE_SOURCE_DIR) + "/docs/";
+constexpr const char* kRobot = "robot: {urdf: gantry.urdf}\n";
+constexpr const char* kPath =
+    "path: {speed: 1, waypoints: 3, segments: [line: {from: {xyz: [0, 0, 0]}, "
+    "to: {xyz: [1, 0, 0]}}]}\n";
+
+/// A map of the problem file, with a word in its place.
+struct Place {
+  std::string schema;   ///< where the schema has it
+  std::string section;  ///< of the docs
+  std::string problem;  ///< text of a problem
+};
+
+std::vector<Place> places() {
+  const std::string robot = kRobot, with_path = robot + kPath;
+  const auto segment = [&](const std::string& text) {
+    return robot + "path: {speed: 1, waypoints: 3, segments: [" + text + "]}\n";
+  };
+  const std::string path = "/properties/path", item = path + "/properties/segments/items";
+  return {
+      {"", "", "word\n"},
+      {"/properties/robot", "robot", "robot: word\npath: word\n"},
+      {"/properties/scene", "scene", with_path + "scene: word\n"},
+      {"/properties/scene/properties/objects/items", "scene",
+       with_path + "scene: {objects: [word]}\n"},
+      {path, "path", robot + "path: word\n"},
+      {path + "/properties/tolerance", "path", robot + "path: {tolerance: word}\n"},
+      {item, "path", segment("word")},
+      {item + "/properties/line", "path", segment("line: word")},
+      {item + "/properties/arc", "path", segment("arc: word")},
+      {item + "/properties/tolerance", "path",
+       segment("{line: {from: {xyz: [0, 0, 0]}, to: {xyz: [1, 0, 0]}}, tolerance: word}")},
+      {"/$defs/pose", "path", robot + "path: {frame: word}\n"},
+      {"/$defs/end_pose", "path", segment("line: {from: word}")},
+      {"/properties/cost", "cost", with_path + "cost: word\n"},
+      {"/properties/cost/properties/euler", "cost", with_path + "cost: {euler: word}\n"},
+      {"/properties/cost/properties/singularity", "cost",
+       with_path + "cost: {singularity: word}\n"},
+      {"/properties/cost/properties/posture", "cost", with_path + "cost: {posture: word}\n"},
+      {"/properties/graph", "graph", with_path + "graph: word\n"},
+      {"/properties/graph/properties/samples", "graph", with_path + "graph: {samples: word}\n"},
+      {"/properties/refine", "refine", with_path + "refine: word\n"},
+      {"/properties/controller", "controller", with_path + "controller: word\n"},
+  };
+}
+
+/// The keys that the complaint lists.
+Keys accepted_keys(const std::string& problem) {
+  test::TemporaryFolder folder;
+  folder.write("gantry.urdf", test::kGantryUrdf);
+  const std::string message =
+      test::invalid_input([&] { load_problem(folder.write("a.yaml", problem)); });
+  const std::string before = "expected keys: ";
+  const std::size_t start = message.find(before);
+  if (start == std::string::npos) {
+    ADD_FAILURE() << message;
+    return {};
+  }
+  Keys keys;
+  std::istringstream list(message.substr(start + before.size()));
+  for (std::string key; std::getline(list >> std::ws, key, ',');) keys.insert(key);
+  return keys;
+}
+
+Json schema() { return Json::parse(std::ifstream(kDocs + "problem-file.schema.json")); }
+
+Keys keys_of_schema(const Json& schema, const std::string& place) {
+  Keys keys;
+  for (const auto& item : schema.at(Json::json_pointer(place)).at("properties").items())
+    keys.insert(item.key());
+  return keys;
+}
+
+/// The whole page, or one of its sections.
+std::string docs(const std::string& section) {
+  std::ostringstream text;
+  text << std::ifstream(kDocs + "problem-file.md").rdbuf();
+  const std::string page = text.str();
+  if (section.empty()) return page;
+  const std::size_t start = page.find("\n## " + section);
+  if (start == std::string::npos) return {};
+  return page.substr(start, page.find("\n## ", start + 1) - start);
+}
+
+/// As code: between backticks, or in a heading.
+bool documents(const std::string& text, const std::string& key) {
+  return std::regex_search(text,
+                           std::regex("(`[^`\n]*\\b" + key + "\\b[^`\n]*`)|(\n## " + key + "\\b)"));
+}
+
+TEST(ProblemSchema, HasTheKeysThatAreRead) {
+  const Json of_docs = schema();
+  for (const Place& place : places()) {
+    const Keys accepted = accepted_keys(place.problem);
+    EXPECT_FALSE(accepted.empty()) << place.schema;
+    EXPECT_EQ(keys_of_schema(of_docs, place.schema), accepted) << place.schema;
+  }
+}
+
+TEST(ProblemSchema, EveryMapOfItIsClosed) {
+  const Json flat = schema().flatten();
+  std::size_t maps = 0;
+  for (const auto& [pointer, value] : flat.items()) {
+    const std::size_t end = pointer.rfind("/type");
+    if (end == std::string::npos || end + 5 != pointer.size() || value != "object") continue;
+    ++maps;
+    EXPECT_EQ(flat.value(pointer.substr(0, end) + "/additionalProperties", Json(true)), false)
+        << pointer;
+  }
+  EXPECT_GE(maps, places().size());
+}
+
+TEST(ProblemSchema, TheDocsNameEveryKey) {
+  for (const Place& place : places()) {
+    const std::string text = docs(place.section);
+    for (const std::string& key : accepted_keys(place.problem))
+      EXPECT_TRUE(documents(text, key)) << place.schema << ": " << key;
+  }
+  EXPECT_FALSE(documents(docs("refine"), "posture"));
+  EXPECT_FALSE(documents(docs("graph"), "distinct"));  // prose
+}
+
+TEST(ProblemSchema, NumbersOfItsDefaultsAreThoseOfTheHeaders) {
+  const Json of_docs = schema();
+  const auto number = [&](const std::string& section, const std::string& key) {
+    return of_docs.at("properties")
+        .at(section)
+        .at("properties")
+        .at(key)
+        .at("default")
+        .get<double>();
+  };
+  EXPECT_EQ(number("graph", "seeds"), GraphOptions().seeds);
+  EXPECT_EQ(number("graph", "spare_seeds"), GraphOptions().spare_seeds);
+  EXPECT_EQ(number("graph", "seed_separation"), GraphOptions().seed_separation);
+  EXPECT_EQ(number("graph", "max_stray"), GraphOptions().max_stray);
+  EXPECT_EQ(number("graph", "sparse_deviation"), GraphOptions().sparse_deviation);
+  EXPECT_EQ(number("refine", "max_rounds"), RefineOptions().max_rounds);
+  EXPECT_EQ(number("refine", "max_iterations"), RefineOptions().max_iterations);
+  EXPECT_EQ(number("cost", "joint_motion"), CostOptions().joint_motion);
+  EXPECT_EQ(number("cost", "acceleration"), CostOptions().acceleration);
+  EXPECT_EQ(number("cost", "jerk"), CostOptions().jerk);
+}
+
+}  // namespace
+}  // namespace wristwise
