@@ -143,14 +143,18 @@ TEST(RefineRestToRest, IsSymmetricWhereTheProblemIs) {
   }
 }
 
-/// A weld at constant speed from its first moment on can't begin at rest.
-TEST(RefineRestToRest, IsInfeasibleWhereTheSeamMoves) {
-  Example example(gantry::parts(),
-                  gantry::task({{0, 0, 0}, {1, 0, 0}}, kDuration, 40, gantry::box(1e-3, 0.1)));
-  rest(example.task, {true, false});
-  const Refined refined = example.run();
-  EXPECT_FALSE(verify(example.task, example.clearance, refined.trajectory).passed);
-  EXPECT_FALSE(refined.feasible);
+/// A weld at 0.1 m/s from its first moment on: from rest, at 0.5 m/s^2, the torch is 10 mm late.
+TEST(RefineRestToRest, IsInfeasibleWhereTheTorchCantCatchUp) {
+  Robot::Parts parts = gantry::parts();
+  parts.joints[0].max_acceleration = 0.5;
+  for (const bool possible : {true, false}) {
+    Example example(parts, gantry::task({{0, 0, 0}, {1, 0, 0}}, kDuration, 40,
+                                        gantry::box(possible ? 0.03 : 5e-3, 0.1)));
+    rest(example.task, {true, false});
+    const Refined refined = example.run();
+    EXPECT_EQ(refined.feasible, possible) << refined.statistics.termination;
+    EXPECT_EQ(verify(example.task, example.clearance, refined.trajectory).passed, possible);
+  }
 }
 
 }  // namespace
