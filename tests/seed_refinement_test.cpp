@@ -144,6 +144,22 @@ TEST(SeedRefinement, OfEqualsTheEarlierIsKept) {
   }
 }
 
+TEST(SeedRefinement, IsBetterIsStrict) {
+  Refined one, other;
+  EXPECT_FALSE(is_better(one, other));
+  one.feasible = true;
+  one.statistics.objective = 9;
+  other.statistics.objective = 1;
+  EXPECT_TRUE(is_better(one, other));
+  EXPECT_FALSE(is_better(other, one));
+  other.feasible = true;
+  EXPECT_FALSE(is_better(one, other));
+  EXPECT_TRUE(is_better(other, one));
+  other.statistics.objective = 9;
+  EXPECT_FALSE(is_better(one, other));
+  EXPECT_FALSE(is_better(other, one));
+}
+
 TEST(SeedRefinement, WhereNonePassesTheLeastViolationIsKept) {
   const Example example = pipe();
   std::vector<Seed> seeds = {arch(example, -0.1), arch(example, 0)};
