@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <complex>
 #include <cstring>
 
 #include "cancelled.hpp"
-#include "gantry.hpp"
+#include "refinement_example.hpp"
+#include "three_point_optimum.hpp"
 #include "wristwise/verification.hpp"
 
 namespace wristwise {
@@ -15,118 +15,16 @@ namespace {
 namespace gantry = test::gantry;
 using gantry::posture;
 
-constexpr double kDuration = 10;  // s
-constexpr double kTau = 2;        // s
-
-/// The least integral of |q'|^2 + tau^2 |q''|^2 + tau^4 |q'''|^2 over [0, m] and [m, T] through
-/// three values. Euler-Lagrange: q'' - tau^2 q'''' + tau^4 q^(6) = 0 on both sides, solved by 1, t
-/// and exp(r t) with (tau r)^4 - (tau r)^2 + 1 = 0, that is tau r = exp(i (+-30, +-150) deg).
-/// q' to q'''' are continuous at m; at the ends q''' = 0 and q'' = tau^2 q''''.
-class ThreePointOptimum {
- public:
-  using Complex = std::complex<double>;
-
-  ThreePointOptimum(double middle, double duration, double tau)
-      : middle_(middle), duration_(duration), tau_(tau) {
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(12, 12);
-    const Eigen::Matrix<double, 1, 6> zero = Eigen::Matrix<double, 1, 6>::Zero();
-    int row = 0;
-    const auto add = [&](const Eigen::Matrix<double, 1, 6>& left,
-                         const Eigen::Matrix<double, 1, 6>& right) {
-      matrix.row(row++) << left, right;
-    };
-    add(basis(0, 0, 0), zero);
-    add(basis(0, middle, 0), zero);
-    add(zero, basis(1, middle, 0));
-    add(zero, basis(1, duration, 0));
-    for (int k = 1; k <= 4; ++k) add(basis(0, middle, k), -basis(1, middle, k));
-    add(basis(0, 0, 3), zero);
-    add(zero, basis(1, duration, 3));
-    add(basis(0, 0, 2) - tau * tau * basis(0, 0, 4), zero);
-    add(zero, basis(1, duration, 2) - tau * tau * basis(1, duration, 4));
-    solver_.compute(matrix);
-  }
-
-  /// Sets the three values of one coordinate.
-  void pass_through(double start, double middle, double end) {
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(12);
-    right.head<4>() << start, middle, middle, end;
-    coefficients_ = solver_.solve(right);
-  }
-
-  double value(double t, int derivative = 0) const {
-    const int piece = t < middle_ ? 0 : 1;
-    return basis(piece, t, derivative) * coefficients_.segment<6>(6 * piece);
-  }
-
-  double objective() const {
-    constexpr int kSteps = 20000;
-    double sum = 0;
-    for (int i = 0; i < kSteps; ++i) {
-      const double t = duration_ * (i + 0.5) / kSteps;
-      sum += std::pow(value(t, 1), 2) + std::pow(tau_ * value(t, 2), 2) +
-             std::pow(tau_ * tau_ * value(t, 3), 2);
-    }
-    return sum * duration_ / kSteps;
-  }
-
- private:
-  /// Real and imaginary parts of exp(r (t - t0)), t0 the end at which it is largest.
-  Eigen::Matrix<double, 1, 6> basis(int piece, double t, int k) const {
-    const double begin = piece == 0 ? 0 : middle_, end = piece == 0 ? middle_ : duration_;
-    const Complex growing = std::polar(1 / tau_, std::acos(-1.0) / 6);
-    const Complex decaying = -std::conj(growing);
-    const Complex up = std::pow(growing, k) * std::exp(growing * (t - end));
-    const Complex down = std::pow(decaying, k) * std::exp(decaying * (t - begin));
-    Eigen::Matrix<double, 1, 6> row;
-    row << (k == 0 ? 1 : 0), (k == 0 ? t : (k == 1 ? 1 : 0)), up.real(), up.imag(), down.real(),
-        down.imag();
-    return row;
-  }
-
-  double middle_, duration_, tau_;
-  Eigen::FullPivLU<Eigen::MatrixXd> solver_;
-  Eigen::VectorXd coefficients_;
-};
-
-/// A refinement with everything it refers to.
-struct Example {
-  std::shared_ptr<const Robot> robot;
-  Task task;
-  std::shared_ptr<const ClearanceModel> clearance;
-  CostOptions cost;
-  RefineOptions options;
-  Monitor monitor;
-
-  Example(const Robot::Parts& parts, Task of, const std::vector<SceneObject>& objects = {},
-          double required = 0)
-      : robot(gantry::robot(parts)),
-        task(std::move(of)),
-        clearance(gantry::clearance(robot, objects, required)) {
-    options.smoothing_time = kTau;
-  }
-  Refined run(const JointPath& seed) const {
-    return refine({*robot, task, clearance, cost, options, monitor}, seed);
-  }
-  Refined run() const { return run(gantry::path_along(task)); }
-};
-
-/// Wide boxes along a line, and given postures at the start, at 40 % and at the end.
-Task three_point_task() {
-  Task task = gantry::task({{0, 0, 0}, {1, 0, 0}}, kDuration, 100, gantry::box(1.5, 1));
-  task.waypoints.front().joints = posture(0, 0, 0);
-  task.waypoints[40].joints = posture(0.7, 0.3, -0.2, 0.1);
-  task.waypoints.back().joints = posture(1, -0.1, 0, 0);
-  return task;
-}
-
-JointPath three_point_seed(const Task& task) {
-  JointPath seed = gantry::path_along(task);
-  for (const std::size_t i : {std::size_t{0}, std::size_t{40}, std::size_t{100}}) {
-    seed.positions[i] = task.waypoints[i].joints->nominal();
-  }
-  return seed;
-}
+using test::Example;
+using test::kBall;
+using test::kDuration;
+using test::kObstacle;
+using test::kRequired;
+using test::kTau;
+using test::obstacle_example;
+using test::three_point_seed;
+using test::three_point_task;
+using test::ThreePointOptimum;
 
 TEST(Refine, FindsTheOptimumThroughThreePoints) {
   Example example(gantry::parts(), three_point_task());
@@ -267,16 +165,6 @@ TEST(Refine, KeepsAccelerationAndJerkLimits) {
     EXPECT_GT(peak(refined.trajectory, derivative), 0.95 * limit);
     EXPECT_GT(refined.statistics.objective, unlimited.statistics.objective);
   }
-}
-
-constexpr double kBall = 0.05, kObstacle = 0.1, kRequired = 0.02;  // m
-
-/// Straight past an obstacle that is in the way.
-Example obstacle_example(const ToleranceBox& box, int intervals) {
-  return {gantry::parts(kBall),
-          gantry::task({{0, 0, 0}, {1, 0, 0}}, kDuration, intervals, box),
-          {gantry::obstacle(Sphere{kObstacle}, 0.5, -0.01, 0)},
-          kRequired};
 }
 
 TEST(Refine, GoesRoundAnObstacleAtTheRequiredClearance) {

@@ -97,6 +97,28 @@ TEST(ResultFile, HasTheKeysOfTheContract) {
   EXPECT_GT(json["peak_rss_bytes"], 1'000'000);
 }
 
+TEST(ResultFile, SaysOfEverySeedWhatStage2MadeOfIt) {
+  PlanResult result = parabola();
+  EXPECT_TRUE(Json::parse(result_json(result, slider_problem()))["graph"]["seeds"].empty());
+  result.seeds.resize(3);
+  result.seeds[0].cost = 1.5;
+  result.seeds[0].refinement = "the constraints can't be met together";
+  result.seeds[1].cost = 2;
+  result.seeds[1].differs_at = 4;
+  result.seeds[1].refinement = "converged";
+  result.seeds[1].objective = 0.25;
+  const Json seeds = Json::parse(result_json(result, slider_problem()))["graph"]["seeds"];
+  EXPECT_EQ(
+      seeds,
+      Json::array(
+          {{{"cost", 1.5},
+            {"differs_at", 0},
+            {"refinement", "the constraints can't be met together"},
+            {"objective", nullptr}},
+           {{"cost", 2.0}, {"differs_at", 4}, {"refinement", "converged"}, {"objective", 0.25}},
+           {{"cost", 0.0}, {"differs_at", 0}, {"refinement", "not run"}, {"objective", nullptr}}}));
+}
+
 TEST(ResultFile, NamesOfStatusAndMode) {
   PlanResult result;
   const Problem problem = slider_problem();

@@ -114,6 +114,7 @@ void AugmentedLagrangian::start_near(double stray, const Accuracy& accuracy, con
   for (int attempt = 0; attempt < 6; ++attempt) {
     add_near_pairs_everywhere();
     minimise_once(accuracy.inner, stop);
+    add_near_pairs_everywhere();  // the path may have gone into what the seed was far from
     measure();
     if (places_.violation <= stray || stop.requested()) break;
     spline_ = start;

@@ -225,6 +225,7 @@ class Attempt {
     if (best_ && best_objective_ <= objective) return;
     best_ = lagrangian_.spline();
     best_objective_ = objective;
+    best_violation_ = lagrangian_.violation();
   }
 
   Refined finish(const std::string& termination) {
@@ -238,7 +239,7 @@ class Attempt {
     statistics.control_points = motion.basis.control_count();
     statistics.constraint_points = static_cast<int>(lagrangian_.points().size());
     statistics.distance_queries = checker_.queries();
-    statistics.max_violation = lagrangian_.violation();
+    statistics.max_violation = best_ ? best_violation_ : lagrangian_.violation();
     statistics.termination = termination;
     statistics.objective = final_terms.total();
     statistics.terms = {{"joint_motion", initial_.joint_motion, final_terms.joint_motion},
@@ -279,7 +280,7 @@ class Attempt {
   ObjectiveTerms initial_;
   AugmentedLagrangian lagrangian_;
   std::optional<Spline> best_;
-  double best_objective_ = 0;
+  double best_objective_ = 0, best_violation_ = 0;
 };
 
 /// The way is there, but not at this speed: another start does not help.
@@ -315,6 +316,7 @@ Refined refine(const RefinementInput& input, const JointPath& seed) {
                                 input.cost,  input.options, monitor};
   Refined best;
   int iterations = 0, evaluations = 0, rounds = 0;
+  bool stopped = false;
   std::set<double> tried;
   for (const double share : kStartShares) {
     Attempt trial(forward, seed, share, stop);
@@ -323,11 +325,13 @@ Refined refine(const RefinementInput& input, const JointPath& seed) {
     iterations += attempt.statistics.iterations;
     evaluations += attempt.statistics.evaluations;
     rounds += attempt.statistics.rounds;
+    stopped = stopped || attempt.stopped;
     if (best.trajectory.empty() || is_better(attempt, best)) best = std::move(attempt);
     if (!best.feasible) throw_if_cancelled(input.monitor);
     if (best.feasible && best.statistics.objective <= initial_objective(best)) break;
     if (stop.requested() || fails_by_rates(best)) break;
   }
+  best.stopped = stopped;
   best.statistics.iterations = iterations;
   best.statistics.evaluations = evaluations;
   best.statistics.rounds = rounds;
