@@ -1,7 +1,6 @@
 #include "refine/spline.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "refine/banded_qr.hpp"
@@ -24,17 +23,17 @@ SplineBasis::Values SplineBasis::at(double t) const {
   const int span = first + kDegree;
 
   Eigen::Matrix<double, kLocal, kLocal> ndu;
-  std::array<double, kLocal> left{}, right{};
+  Eigen::Matrix<double, kLocal, 1> left, right;
   ndu(0, 0) = 1;
   for (int j = 1; j <= kDegree; ++j) {
-    left[static_cast<std::size_t>(j)] = t - knot(span + 1 - j);
-    right[static_cast<std::size_t>(j)] = knot(span + j) - t;
+    left[j] = t - knot(span + 1 - j);
+    right[j] = knot(span + j) - t;
     double saved = 0;
     for (int r = 0; r < j; ++r) {
-      ndu(j, r) = right[static_cast<std::size_t>(r + 1)] + left[static_cast<std::size_t>(j - r)];
+      ndu(j, r) = right[r + 1] + left[j - r];
       const double term = ndu(r, j - 1) / ndu(j, r);
-      ndu(r, j) = saved + right[static_cast<std::size_t>(r + 1)] * term;
-      saved = left[static_cast<std::size_t>(j - r)] * term;
+      ndu(r, j) = saved + right[r + 1] * term;
+      saved = left[j - r] * term;
     }
     ndu(j, j) = saved;
   }
