@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "wristwise/export_options.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/robot.hpp"
 #include "wristwise/scene.hpp"
@@ -21,6 +22,7 @@ struct Problem {
   GraphOptions graph;
   RefineOptions refine;
   double controller_period = 0.004;  ///< s, spacing of trajectory_dense.csv
+  ExportOptions exports;
 };
 
 /// Reads a problem file (docs/problem-file.md). Paths in it are relative to the file.

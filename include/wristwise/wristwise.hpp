@@ -2,6 +2,7 @@
 
 #include "wristwise/clearance.hpp"
 #include "wristwise/error.hpp"
+#include "wristwise/export_options.hpp"
 #include "wristwise/geometry.hpp"
 #include "wristwise/inverse_kinematics.hpp"
 #include "wristwise/joint_box.hpp"
@@ -14,6 +15,7 @@
 #include "wristwise/pose.hpp"
 #include "wristwise/problem.hpp"
 #include "wristwise/robot.hpp"
+#include "wristwise/robot_program.hpp"
 #include "wristwise/scene.hpp"
 #include "wristwise/seam.hpp"
 #include "wristwise/smoothing.hpp"

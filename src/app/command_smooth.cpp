@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/exports.hpp"
 #include "app/joint_names.hpp"
 #include "app/output_folder.hpp"
 #include "app/planning_run.hpp"
@@ -89,6 +90,7 @@ SmoothingProblem load_without_problem(const SmoothCommand& command) {
   const auto robot = std::make_shared<const Robot>(load_robot(robot_source(command)));
   SmoothingProblem loaded = smoothing_problem(robot, read_joint_path(command, *robot), options);
   loaded.problem.name = command.joints.stem().string();
+  loaded.problem.exports.weld = false;  // nothing says where it welds
   return loaded;
 }
 
@@ -99,6 +101,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
   const bool with_problem = !command.problem.empty();
   const std::filesystem::path folder =
       output_folder(command.out, with_problem ? command.problem : command.joints);
+  const std::vector<ProgramFormat> formats = export_formats(command.exports);
   JointPath path;
   std::vector<std::string> warnings;
   const Loader load = [&] {
@@ -106,6 +109,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
         with_problem ? load_with_problem(command) : load_without_problem(command);
     path = std::move(loaded.path);
     warnings = std::move(loaded.warnings);
+    check_exports(formats, loaded.problem);
     return std::move(loaded.problem);
   };
   const Planner repair = [&](const Problem& problem, const PlanOptions& options) {
@@ -115,7 +119,8 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
   };
   const PlanningRun run = run_planner(load, Mode::smooth, repair, settings);
   write_result(folder, run.result, run.problem);
-  fmt::print("{}", summary(run.result, run.problem, folder));
+  fmt::print("{}{}", summary(run.result, run.problem, folder),
+             write_exports(formats, folder, run.result, run.problem));
   return run.exit_code;
 }
 

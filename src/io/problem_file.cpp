@@ -17,7 +17,7 @@ double read_controller_period(const ConfigReader& reader) {
 Problem load_problem(const std::filesystem::path& file) {
   const ConfigNode root = read_yaml(file);
   const ConfigReader reader(root, file);
-  reader.expect_keys({"robot", "scene", "path", "cost", "graph", "refine", "controller"});
+  reader.expect_keys({"robot", "scene", "path", "cost", "graph", "refine", "controller", "export"});
 
   Problem problem;
   problem.name = file.stem().string();
@@ -34,6 +34,8 @@ Problem load_problem(const std::filesystem::path& file) {
   if (const auto refine = reader.find("refine")) problem.refine = read_refine(*refine);
   if (const auto controller = reader.find("controller"))
     problem.controller_period = read_controller_period(*controller);
+  if (const auto exports = reader.find("export"))
+    problem.exports = read_export(*exports, *problem.robot);
   return problem;
 }
 

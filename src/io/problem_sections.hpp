@@ -4,6 +4,7 @@
 
 #include "io/config_reader.hpp"
 #include "task/seam_builder.hpp"
+#include "wristwise/export_options.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/robot.hpp"
 #include "wristwise/scene.hpp"
@@ -41,5 +42,7 @@ Task read_task(const ConfigReader& reader, const Robot& robot);
 CostOptions read_cost(const ConfigReader& reader, const Robot& robot);
 GraphOptions read_graph(const ConfigReader& reader, const Robot& robot);
 RefineOptions read_refine(const ConfigReader& reader);
+
+ExportOptions read_export(const ConfigReader& reader, const Robot& robot);
 
 }  // namespace wristwise
