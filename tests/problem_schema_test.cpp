@@ -63,6 +63,11 @@ std::vector<Place> places() {
       {"/properties/graph/properties/samples", "graph", with_path + "graph: {samples: word}\n"},
       {"/properties/refine", "refine", with_path + "refine: word\n"},
       {"/properties/controller", "controller", with_path + "controller: word\n"},
+      {item + "/properties/poses/oneOf/1", "path", segment("poses: {word: 1}")},
+      {"/properties/export", "export", with_path + "export: word\n"},
+      {"/properties/export/properties/krl", "export", with_path + "export: {krl: word}\n"},
+      {"/properties/export/properties/rapid", "export", with_path + "export: {rapid: word}\n"},
+      {"/properties/export/properties/ls", "export", with_path + "export: {ls: word}\n"},
   };
 }
 

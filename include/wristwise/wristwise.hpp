@@ -14,6 +14,7 @@
 #include "wristwise/plan.hpp"
 #include "wristwise/pose.hpp"
 #include "wristwise/problem.hpp"
+#include "wristwise/program_file.hpp"
 #include "wristwise/robot.hpp"
 #include "wristwise/robot_program.hpp"
 #include "wristwise/scene.hpp"

@@ -4,15 +4,14 @@
 
 #include "app/commands.hpp"
 #include "app/exports.hpp"
-#include "app/joint_names.hpp"
 #include "app/output_folder.hpp"
 #include "app/planning_run.hpp"
 #include "app/summary.hpp"
 #include "io/quantity.hpp"
 #include "io/result_file.hpp"
 #include "wristwise/error.hpp"
+#include "wristwise/program_file.hpp"
 #include "wristwise/smoothing.hpp"
-#include "wristwise/trajectory_file.hpp"
 #include "wristwise/urdf.hpp"
 
 namespace wristwise::app {
@@ -72,14 +71,10 @@ RobotSource robot_source(const SmoothCommand& command) {
   return source;
 }
 
-JointPath read_joint_path(const SmoothCommand& command, const Robot& robot) {
-  return read_trajectory(command.joints, joint_names(robot)).path;
-}
-
 SmoothingProblem load_with_problem(const SmoothCommand& command) {
   SmoothingProblem loaded;
   loaded.problem = load_problem(command.problem);
-  loaded.path = read_joint_path(command, *loaded.problem.robot);
+  loaded.path = read_joint_path(command.joints, *loaded.problem.robot, loaded.problem.exports);
   if (const auto time = read_smoothing_time(command.smoothing_time))
     loaded.problem.refine.smoothing_time = *time;
   return loaded;
@@ -88,7 +83,8 @@ SmoothingProblem load_with_problem(const SmoothCommand& command) {
 SmoothingProblem load_without_problem(const SmoothCommand& command) {
   const SmoothingOptions options = smoothing_options(command);
   const auto robot = std::make_shared<const Robot>(load_robot(robot_source(command)));
-  SmoothingProblem loaded = smoothing_problem(robot, read_joint_path(command, *robot), options);
+  SmoothingProblem loaded =
+      smoothing_problem(robot, read_joint_path(command.joints, *robot, {}), options);
   loaded.problem.name = command.joints.stem().string();
   loaded.problem.exports.weld = false;  // nothing says where it welds
   return loaded;

@@ -95,7 +95,9 @@ class CommandLine {
   void add_smooth() {
     CLI::App& command = add_command(program_, "smooth", "Repair an existing joint path");
     command.add_option("PROBLEM", smooth_.problem, "Problem file (YAML); or --urdf and --keep");
-    command.add_option("--joints", smooth_.joints, "Joint path (CSV); its rows are the waypoints")
+    command
+        .add_option("--joints", smooth_.joints,
+                    "Joint path (CSV, YAML of ROS) or program (.src, .mod, .ls) to smooth")
         ->required();
     command.add_option("--out", smooth_.out,
                        "Folder for the results; default: out/<problem> or out/<joint path>");

@@ -94,12 +94,6 @@ JointVector ControllerAxes::joints(const AxisValues& values, const std::string& 
   return joints;
 }
 
-bool ControllerAxes::has_external() const {
-  for (std::size_t axis = kRobotAxes; axis < joint_of_.size(); ++axis)
-    if (has(axis)) return true;
-  return false;
-}
-
 AxisValues coupled(AxisValues values, int coupling) {
   if (std::isfinite(values[1]) && std::isfinite(values[2])) values[2] += coupling * values[1];
   return values;

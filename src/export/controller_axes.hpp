@@ -32,8 +32,8 @@ class ControllerAxes {
   /// @throws InvalidInput at `where` naming an axis that is missing
   JointVector joints(const AxisValues& values, const std::string& where) const;
 
+  const std::vector<ControllerAxis>& axes() const { return axes_; }  ///< one per joint
   bool has(std::size_t axis) const { return joint_of_[axis] >= 0; }
-  bool has_external() const;
   bool slides(std::size_t axis) const { return slides_[axis]; }  ///< in mm
 
  private:

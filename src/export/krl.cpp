@@ -40,7 +40,7 @@ class KrlWriter {
 
   std::string text() {
     header();
-    text_ += "PTP " + point(0) + "\n";
+    text_ += "PTP " + point(0) + "\nBAS(#VEL_PTP,100)\n";
     if (weld_starts_at(program_, 0)) text_ += options_.krl.weld_on + "\n";
     text_ += "PTP_SPLINE\n  TIME_BLOCK START\n";
     const double duration = program_.points.back().time;

@@ -13,7 +13,7 @@ void read_between(const ConfigReader& reader, Task& task) {
 }
 
 SeamDescription read_description(const ConfigReader& reader, const ToleranceBox& tolerance,
-                                 const Robot& robot) {
+                                 const Robot& robot, const ExportOptions& exports) {
   SeamDescription description;
   description.where = reader.where();
   if (const auto speed = reader.find("speed")) description.speed = speed->positive(Quantity::speed);
@@ -28,21 +28,23 @@ SeamDescription read_description(const ConfigReader& reader, const ToleranceBox&
   const auto frame = reader.find("frame");
   const Pose part = frame ? read_pose(*frame) : Pose::Identity();
   const ConfigReader segments = reader.at("segments");
+  const SegmentContext context{robot, part, tolerance, exports, description.speed.has_value()};
   for (const ConfigReader& item : segments.items())
-    description.segments.push_back(read_segment(item, part, tolerance, robot));
+    for (Segment& segment : read_segments(item, context))
+      description.segments.push_back(std::move(segment));
   if (description.segments.empty()) segments.fail("no segments", "at least one");
   return description;
 }
 
 }  // namespace
 
-Task read_task(const ConfigReader& reader, const Robot& robot) {
+Task read_task(const ConfigReader& reader, const Robot& robot, const ExportOptions& exports) {
   reader.expect_keys({"frame", "speed", "speed_policy", "spacing", "waypoints", "segments",
                       "corners", "run_in", "run_out", "tolerance"});
   const auto tolerance_key = reader.find("tolerance");
   const ToleranceBox tolerance =
       tolerance_key ? read_tolerance(*tolerance_key, {"between"}) : ToleranceBox();
-  Task task = build_task(robot, read_description(reader, tolerance, robot));
+  Task task = build_task(robot, read_description(reader, tolerance, robot, exports));
   if (const auto policy = reader.find("speed_policy"))
     task.speed_policy =
         policy->choice({"hold", "slow"}) == "slow" ? SpeedPolicy::slow : SpeedPolicy::hold;

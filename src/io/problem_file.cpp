@@ -28,14 +28,14 @@ Problem load_problem(const std::filesystem::path& file) {
     problem.scene.disabled = std::move(*robot.disabled);
     problem.scene.find_permanent_contacts = false;
   }
-  problem.task = read_task(reader.at("path"), *problem.robot);
+  if (const auto exports = reader.find("export"))
+    problem.exports = read_export(*exports, *problem.robot);
+  problem.task = read_task(reader.at("path"), *problem.robot, problem.exports);
   if (const auto cost = reader.find("cost")) problem.cost = read_cost(*cost, *problem.robot);
   if (const auto graph = reader.find("graph")) problem.graph = read_graph(*graph, *problem.robot);
   if (const auto refine = reader.find("refine")) problem.refine = read_refine(*refine);
   if (const auto controller = reader.find("controller"))
     problem.controller_period = read_controller_period(*controller);
-  if (const auto exports = reader.find("export"))
-    problem.exports = read_export(*exports, *problem.robot);
   return problem;
 }
 

@@ -37,7 +37,8 @@ Quantity joint_quantity(const Robot& robot, std::size_t joint);
 Scene read_scene(const std::optional<ConfigReader>& reader, const Robot& robot,
                  const Packages& packages);
 
-Task read_task(const ConfigReader& reader, const Robot& robot);
+/// @param exports says which joint is which axis of a robot program
+Task read_task(const ConfigReader& reader, const Robot& robot, const ExportOptions& exports);
 
 CostOptions read_cost(const ConfigReader& reader, const Robot& robot);
 GraphOptions read_graph(const ConfigReader& reader, const Robot& robot);
