@@ -109,7 +109,7 @@ TEST_F(JointProgram, KrlThatIsNotUnderstoodNamesTheLine) {
       {"PTP_REL {A1 1}", "'PTP_REL' is not understood"},
       {"PTP XP9", "'XP9' has no value"},
       {"PTP {A1 1", "'}'"},
-      {"PTP {A1 nan}", "a value"},
+      {"PTP {A1 nan}", "finite number"},
       {"PTP {A1 1e999}", "finite"},
       {"PTP {A1 }", "finite number"},
       {"PTP {A1 1,A1 2}", "given twice"},

@@ -167,6 +167,10 @@ TEST(RobotProgram, OptionsOutOfRangeAreSaid) {
     example.problem.exports.period = bad;
     EXPECT_TRUE(
         says(invalid_input([&] { robot_program(example.result, example.problem); }), "period"));
+    example = export_example();
+    example.problem.exports.approach_percent = bad;
+    EXPECT_TRUE(says(invalid_input([&] { robot_program(example.result, example.problem); }),
+                     "approach_percent"));
   }
 }
 

@@ -24,7 +24,7 @@ struct ExportOptions {
   double max_deviation = 5e-5;
   double max_angle_deviation = 0.05 * 0.017453292519943295;
   std::optional<double> period;  ///< s; given: a point every period instead
-  double approach_percent = 10;  ///< of the joint speeds, on the way to the first point; (0, 100]
+  double approach_percent = 10;  ///< of the joint speeds, on the way to the first point; 1 to 100
   bool weld = true;              ///< false: no commands to weld
 
   struct Krl {

@@ -57,7 +57,7 @@ class Samples {
   /// Points every `step` or a little less, and a sample half-way between them.
   void add_stretch(double from, double to, double step) {
     const double count = std::max(1.0, std::ceil((to - from) / step - 1e-6));
-    for (double k = 0; k < count; ++k) {
+    for (int k = 0; k < static_cast<int>(count); ++k) {
       add(from + (to - from) * k / count, true, k == 0);
       add(from + (to - from) * (k + 0.5) / count, false, false);
     }

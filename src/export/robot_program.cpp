@@ -17,6 +17,11 @@ void require_positive(double value, const char* key) {
     throw InvalidInput(std::string("export.") + key, std::to_string(value), "a number above zero");
 }
 
+void require_percent(double percent) {
+  if (!(percent >= 1 && percent <= 100))
+    throw InvalidInput("export.approach_percent", std::to_string(percent), "1 to 100");
+}
+
 PointChoice point_choice(const Problem& problem) {
   const ExportOptions& options = problem.exports;
   require_positive(options.max_deviation, "max_deviation");
@@ -54,6 +59,7 @@ JointPath thinned(const Trajectory& curve, const Problem& problem, const std::ve
 }  // namespace
 
 RobotProgram robot_program(const PlanResult& result, const Problem& problem) {
+  require_percent(problem.exports.approach_percent);
   RobotProgram program;
   program.name = problem.exports.name.empty() ? problem.name : problem.exports.name;
   std::vector<WeldStretch> stretches;

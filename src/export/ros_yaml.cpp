@@ -33,13 +33,12 @@ Digits shortest_digits(double value) {
 }
 
 std::string written_out(const Digits& number) {
+  const auto zeros = [](int count) { return std::string(static_cast<std::size_t>(count), '0'); };
   const auto count = static_cast<int>(number.digits.size());
-  if (number.exponent < 0)
-    return "0." + std::string(static_cast<std::size_t>(-number.exponent - 1), '0') + number.digits;
-  if (number.exponent + 1 >= count)
-    return number.digits + std::string(static_cast<std::size_t>(number.exponent + 1 - count), '0') +
-           ".0";
-  const auto point = static_cast<std::size_t>(number.exponent + 1);
+  const int whole = number.exponent + 1;  // digits before the point
+  if (whole <= 0) return "0." + zeros(-whole) + number.digits;
+  if (whole >= count) return number.digits + zeros(whole - count) + ".0";
+  const auto point = static_cast<std::size_t>(whole);
   return number.digits.substr(0, point) + "." + number.digits.substr(point);
 }
 

@@ -64,13 +64,9 @@ class KrlReader {
 
   void read_line(TokenReader& reader) {
     const Token first = reader.peek();
-    if (reader.accept_symbol('&') || is_one_of(first, kLeftOut)) {
-      reader.skip_line();
-    } else if (reader.at_line_end()) {
-      reader.next();
-    } else if (read_declaration(reader) || read_frame_of_program(reader)) {
-      return;
-    } else if (reader.accept_word("DECL")) {
+    if (read_declaration(reader) || read_frame_of_program(reader)) return;
+    if (reader.at_line_end() || reader.at_symbol('&') || reader.at_word("DECL") ||
+        is_one_of(first, kLeftOut)) {
       reader.skip_line();
     } else if (is_one_of(first, kJointMoves) || is_one_of(first, kLinearMoves)) {
       read_move(reader);

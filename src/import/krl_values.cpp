@@ -4,6 +4,12 @@ namespace wristwise {
 
 namespace {
 
+/// An axis or a coordinate: never a word.
+bool is_number(const std::string& name) {
+  if (name.size() == 1) return std::string("XYZABC").find(name) != std::string::npos;
+  return name.size() == 2 && (name[0] == 'A' || name[0] == 'E') && name[1] >= '1' && name[1] <= '6';
+}
+
 void read_component(TokenReader& reader, KrlAggregate& aggregate) {
   const std::string name = reader.word("a component such as A1 or X");
   if (reader.accept_symbol('[')) {  // a name or comment: NAME[] "..."
@@ -11,11 +17,13 @@ void read_component(TokenReader& reader, KrlAggregate& aggregate) {
     reader.next();
     return;
   }
-  if (reader.accept_symbol('#') || reader.peek().kind == Token::Kind::word) {
+  const bool is_word = reader.peek().kind == Token::Kind::word;
+  if (!is_number(name) && (reader.accept_symbol('#') || is_word)) {
     reader.word("a value");
     return;
   }
-  if (reader.at_symbol('\'')) {  // a binary or hexadecimal number: 'B110', 'H1A'
+  if (!is_number(name) &&
+      reader.at_symbol('\'')) {  // a binary or hexadecimal number: 'B110', 'H1A'
     reader.next();
     reader.skip_past('\'');
     return;

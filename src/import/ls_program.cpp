@@ -39,7 +39,7 @@ struct Sections {
 /// A move before its position is known.
 struct Target {
   ProgramMove move;
-  int position;
+  int position = 0;
 };
 
 Sections split(const std::filesystem::path& file) {

@@ -93,9 +93,8 @@ class SeamProgram {
   }
 
   template <typename Shape>
-  void add(Shape&& shape, const std::string& where) {
-    const std::string place = where;
-    segments_.push_back({std::forward<Shape>(shape), context_.tolerance, place});
+  void add(Shape&& shape, std::string where) {
+    segments_.push_back({std::forward<Shape>(shape), context_.tolerance, std::move(where)});
   }
 
   const SegmentContext& context_;

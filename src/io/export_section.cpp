@@ -47,7 +47,7 @@ std::vector<ControllerAxis> read_axes(const ConfigReader& reader, const Robot& r
 
 /// One line of a program: printable, not too long.
 std::string read_line(const ConfigReader& reader) {
-  const std::string text = reader.text();
+  std::string text = reader.text();
   const bool printable =
       std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
   if (text.empty() || text.size() > kLongestWord || !printable)

@@ -31,8 +31,8 @@ constexpr std::array<Unit, 1> kNumbers = {{{"", 1, 1}}};
 
 template <std::size_t N>
 std::vector<std::string> names(const std::array<Unit, N>& units) {
-  std::vector<std::string> names;
-  for (const Unit& unit : units) names.emplace_back(unit.name);
+  std::vector<std::string> names(N);
+  for (std::size_t i = 0; i < N; ++i) names[i] = units[i].name;
   return names;
 }
 
