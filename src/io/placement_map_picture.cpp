@@ -40,7 +40,7 @@ double in_plot_units(int coordinate, double value) {
 }
 
 std::string axis_label(int coordinate) {
-  return fmt::format("{}, {}", kCoordinateNames[static_cast<std::size_t>(coordinate)],
+  return fmt::format("moved by {}, {}", kCoordinateNames[static_cast<std::size_t>(coordinate)],
                      coordinate < 3 ? "m" : "deg");
 }
 
