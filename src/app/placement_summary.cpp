@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "app/text_table.hpp"
 #include "app/verification_table.hpp"
 #include "io/frame_keys.hpp"
@@ -66,15 +69,14 @@ std::string peak_text(const PlanResult& plan, int joint) {
   return short_number((*peak)[joint]);
 }
 
-std::string table(const PlacementResult& result) {
+std::string measure_table(const PlacementResult& result) {
   std::vector<TableRow> rows = {{"", "given", "found"}};
   for (int i = 0; i < 6; ++i) {
     if (result.found.offset[i] == 0) continue;
     rows.push_back({std::string("moved by ") + kCoordinateNames[static_cast<std::size_t>(i)], "0",
                     offset_text(i, result.found.offset[i])});
   }
-  const PlacementPlans &before = result.before, &after = result.after;
-  rows.push_back({"check", checked(before.two_stage), checked(after.two_stage)});
+  rows.push_back({"check", checked(result.before.two_stage), checked(result.after.two_stage)});
   rows.push_back(measure_row("measure", result,
                              [](const PlacementMeasure& m) { return short_number(m.value); }));
   rows.push_back(measure_row("joint speed / limit", result, [](const PlacementMeasure& m) {
@@ -87,13 +89,19 @@ std::string table(const PlacementResult& result) {
       measure_row("clearance, without the tool at the part", result, [](const PlacementMeasure& m) {
         return m.clearance ? short_number(*m.clearance) + " m" : "-";
       }));
+  return aligned(rows, 0);
+}
+
+std::string peak_table(const PlacementPlans& before, const PlacementPlans& after) {
+  std::vector<TableRow> rows = {{"peak velocity", "given, graph-only", "given, two-stage",
+                                 "found, graph-only", "found, two-stage"}};
   const Robot& robot = *before.placed.problem.robot;
   for (int j = 0; j < robot.joint_count(); ++j) {
-    const std::string& name = robot.joints()[static_cast<std::size_t>(j)].name;
-    rows.push_back({"peak velocity of " + name + ", graph-only", peak_text(before.graph_only, j),
-                    peak_text(after.graph_only, j)});
-    rows.push_back({"peak velocity of " + name + ", two-stage", peak_text(before.two_stage, j),
-                    peak_text(after.two_stage, j)});
+    TableRow row = {robot.joints()[static_cast<std::size_t>(j)].name};
+    for (const PlanResult* plan :
+         {&before.graph_only, &before.two_stage, &after.graph_only, &after.two_stage})
+      row.push_back(peak_text(*plan, j));
+    rows.push_back(std::move(row));
   }
   return aligned(rows, 0);
 }
@@ -123,7 +131,9 @@ std::string written(const PlacementResult& result, const std::filesystem::path& 
 std::string placement_summary(const PlacementRequest& request, const PlacementResult& result,
                               const std::filesystem::path& folder) {
   std::string text = headline(request, result) + diagnosis_lines(result);
-  if (is_found(result)) text += table(result) + lines_to_paste(result.after.placed);
+  if (is_found(result))
+    text += measure_table(result) + peak_table(result.before, result.after) +
+            lines_to_paste(result.after.placed);
   return text + written(result, folder);
 }
 

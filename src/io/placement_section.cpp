@@ -33,8 +33,8 @@ std::vector<std::string> names_of(const Scene& scene) {
 }
 
 std::vector<std::string> read_with(const ConfigReader& reader, const Scene& scene) {
+  if (reader.is_word("all")) return names_of(scene);
   const std::vector<std::string> known = names_of(scene);
-  if (reader.is_word("all")) return known;
   if (!reader.is_list()) reader.fail("no list of objects", "all, or a list of their names");
   std::vector<std::string> names;
   for (const ConfigReader& item : reader.items()) {

@@ -103,7 +103,7 @@ PlacementSearch search_region(PlacementTrials& trials, const PlacementOptions& o
   if (coordinates.empty()) return look_at(trials, options.lower);
   const int each = std::max(1, evaluation_limit(options) / kStarts);
   const int globally = std::max(1, static_cast<int>(kGlobalShare * each));
-  trials.begin("search", static_cast<std::size_t>(kStarts * each));
+  trials.begin("search", kStarts * static_cast<std::size_t>(each));
   std::vector<PlacementSearch> searches(kStarts);
   parallel_for(kStarts, threads, [&](int worker, std::size_t k) {
     OneSearch search(trials, space, worker);

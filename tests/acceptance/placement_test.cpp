@@ -26,11 +26,14 @@ using test::TemporaryFolder;
 
 constexpr double kNotWeldable = 1000;
 
-bool is_tool_at_plate(const ClearanceModel& model, int pair) {
+/// Distances that move with the seam: of the plate, or of task C's profile.
+bool is_tool_at_part(const ClearanceModel& model, int pair) {
   const auto& [body_a, shape_a, body_b, shape_b] = model.pairs()[static_cast<std::size_t>(pair)];
   const auto& a = model.bodies()[static_cast<std::size_t>(body_a)];
   const auto& b = model.bodies()[static_cast<std::size_t>(body_b)];
-  return (a.joint == 5 && b.name == "plate") || (b.joint == 5 && a.name == "plate");
+  for (const char* part : {"plate", "foot", "upright"})
+    if ((a.joint == 5 && b.name == part) || (b.joint == 5 && a.name == part)) return true;
+  return false;
 }
 
 /// (F61) by its definition, at 301 times: the wrist's distance from singularity from joint 5, whose
@@ -50,7 +53,7 @@ double measured(const Problem& problem, const PlanResult& plan, const PlacementO
     wrist = std::min(wrist, std::abs(std::sin(q[4])));
     checker.set_posture(q);
     for (int pair = 0; pair < static_cast<int>(checker.model().pairs().size()); ++pair) {
-      if (is_tool_at_plate(checker.model(), pair)) continue;
+      if (is_tool_at_part(checker.model(), pair)) continue;
       if (checker.lower_bound(pair, kFar) < kFar)
         clearance = std::min(clearance, checker.distance(pair).distance);
     }
@@ -303,6 +306,21 @@ JointPath constant_orientation(Problem problem) {
   const PlanResult result = plan_graph_only(problem);
   EXPECT_EQ(result.status, Status::solved);
   return result.path;
+}
+
+/// The shipped problem is one that task C's own search leads to.
+TEST(Placement, TheShippedPlacementOfTaskCHasNoSpikeToBeginWith) {
+  const auto shipped = [](const std::string& name) {
+    return load_problem(std::string(WRISTWISE_SOURCE_DIR) + "/problems/" + name + ".yaml");
+  };
+  const Problem given = shipped("task_c_wrist_singularity"), there = shipped("task_c_placed");
+  const PlanResult before = plan(given), after = plan(there);
+  ASSERT_EQ(after.status, Status::solved);
+  EXPECT_LT(measured(there, after, {}), 0.01);
+  EXPECT_GT(measured(given, before, {}), 0.9);
+  for (const int joint : {3, 5})
+    EXPECT_GT(peak_speed(constant_orientation(given), joint),
+              30 * peak_speed(constant_orientation(there), joint));
 }
 
 /// Joints 4 and 6 run away from each other where task C is; not where it is put.
