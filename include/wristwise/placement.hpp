@@ -125,7 +125,8 @@ struct PlacementResult {
 
 /// Looks for the placement with the least measure: NLopt's controlled random search from several
 /// starts, each followed by Sbplx; the given placement counts where it is inside the region. The
-/// result does not depend on the number of threads.
+/// result does not depend on the number of threads. Stages of Monitor::progress: "search", "map",
+/// perhaps "search" again, and those of plan().
 /// @throws InvalidInput for an inverted or infinite region, unknown objects, options out of range,
 /// and as plan().
 PlacementResult place(const PlacementRequest& request, const PlanOptions& options = {});

@@ -101,11 +101,12 @@ PlacementSearch search_region(PlacementTrials& trials, const PlacementOptions& o
   const std::vector<int> coordinates = free_coordinates(options);
   const Subspace space(options, coordinates, options.lower);
   if (coordinates.empty()) return look_at(trials, options.lower);
-  const int each = std::max(1, evaluation_limit(options) / kStarts);
+  const auto starts = static_cast<std::size_t>(std::min(kStarts, evaluation_limit(options)));
+  const int each = evaluation_limit(options) / static_cast<int>(starts);
   const int globally = std::max(1, static_cast<int>(kGlobalShare * each));
-  trials.begin("search", kStarts * static_cast<std::size_t>(each));
-  std::vector<PlacementSearch> searches(kStarts);
-  parallel_for(kStarts, threads, [&](int worker, std::size_t k) {
+  trials.begin("search", starts * static_cast<std::size_t>(each));
+  std::vector<PlacementSearch> searches(starts);
+  parallel_for(starts, threads, [&](int worker, std::size_t k) {
     OneSearch search(trials, space, worker);
     const CubeFunction function = [&search](const CubePoint& point) { return search(point); };
     const std::uint32_t seed = kStarts * options.seed + static_cast<std::uint32_t>(k);

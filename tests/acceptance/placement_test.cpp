@@ -205,6 +205,18 @@ TEST(Placement, AFixedCoordinateIsKept) {
   EXPECT_EQ(result.given.offset, Offset::Zero());  // outside of the region
 }
 
+TEST(Placement, NoMoreIsMeasuredThanAskedFor) {
+  const TemporaryFolder folder;
+  for (const int evaluations : {1, 3, 10}) {
+    PlacementRequest request = placement_request(folder, "{with: all, y: 0.2, map: off}");
+    request.options.evaluations = evaluations;
+    const PlacementResult result = place(request);
+    EXPECT_EQ(result.status, Status::solved);
+    EXPECT_LE(result.evaluations, static_cast<std::size_t>(evaluations));
+    EXPECT_GE(result.evaluations, static_cast<std::size_t>(evaluations + 1) / 2);
+  }
+}
+
 TEST(Placement, ARobotElsewhereIsWorthAsMuchAsAllElseMovedBack) {
   const TemporaryFolder folder;
   const PlacementResult robot = place(
