@@ -15,7 +15,6 @@ namespace wristwise {
 namespace {
 
 using test::invalid_input;
-using test::placement_request;
 using test::placement_text;
 using test::replaced;
 using test::says;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -203,6 +205,39 @@ TEST(Placement, AFixedCoordinateIsKept) {
   EXPECT_GE(result.found.offset[1], 0.1);
   EXPECT_LE(result.found.offset[1], 0.2);
   EXPECT_EQ(result.given.offset, Offset::Zero());  // outside of the region
+}
+
+/// A limits file with a first joint that turns at 0.02 rad/s at most: too slow for the seam as it
+/// is given, fast enough for it at the side.
+std::string with_slow_joint(const TemporaryFolder& folder, std::string problem) {
+  std::ifstream file(std::string(WRISTWISE_SOURCE_DIR) + "/robots/kuka_kr5_arc/joint_limits.yaml");
+  const std::string limits{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  folder.write("slow.yaml",
+               replaced(limits, "max_velocity: 2.6878070480712677", "max_velocity: 0.02"));
+  const std::size_t start = problem.find("limits: ");
+  return problem.replace(start, problem.find('\n', start) - start, "limits: slow.yaml");
+}
+
+TEST(Placement, ASeamTooFastForAJointIsPutWhereTheSpeedIsHeld) {
+  const TemporaryFolder folder;
+  const std::string text = with_slow_joint(
+      folder, placement_text("{with: [plate], x: 0.2, y: [0, 0.4], map: off, evaluations: 16}"));
+  const PlacementResult hold = place(load_placement(folder.write("hold.yaml", text)));
+  EXPECT_FALSE(hold.given.measure.feasible);
+  EXPECT_EQ(hold.given.measure.obstacle, "infeasible_at_this_speed");
+  EXPECT_GT(hold.given.measure.value, kNotWeldable);
+  EXPECT_LT(hold.given.measure.value, kNotWeldable + 1);
+  ASSERT_EQ(hold.status, Status::solved);
+  EXPECT_LE(hold.found.measure.speed_ratio, 1 + 1e-9);
+
+  // run slower, it can be welded as it is given, but that is worth less: 1.4 times the limit
+  const PlacementResult slow = place(load_placement(
+      folder.write("slow_policy.yaml",
+                   replaced(text, "  speed: 0.02\n", "  speed: 0.02\n  speed_policy: slow\n"))));
+  EXPECT_TRUE(slow.given.measure.feasible);
+  EXPECT_NEAR(slow.given.measure.speed_ratio, 1.4, 0.1);
+  ASSERT_EQ(slow.status, Status::solved);
+  EXPECT_LE(slow.found.measure.speed_ratio, 1 + 1e-9);
 }
 
 TEST(Placement, NoMoreIsMeasuredThanAskedFor) {
