@@ -258,7 +258,11 @@ void GrowthWithLength(benchmark::State& state) {
 }
 BENCHMARK(GrowthWithLength)
     ->Arg(100)
+    ->Arg(200)
+    ->Arg(500)
     ->Arg(1000)
+    ->Arg(2000)
+    ->Arg(4000)
     ->Arg(10000)
     ->UseManualTime()
     ->Iterations(1)
