@@ -68,7 +68,7 @@ void AugmentedLagrangian::restart() {
 }
 
 void AugmentedLagrangian::soften() {
-  places_.mu = std::max(places_.first_mu, kSoftening * places_.mu);
+  places_.mu = std::min(places_.useful_mu, std::max(places_.first_mu, kSoftening * places_.mu));
   for (PointConstraint& point : points_) {
     for (PointConstraint::Row& row : point.rows) row.bounds.multiplier = 0;
   }
@@ -203,7 +203,7 @@ bool AugmentedLagrangian::tighten(const Accuracy& accuracy, double objective, bo
   }
   if (places_.violation <= accuracy.violation) return true;
   const bool all_but_hold = places_.violation <= kFloor;
-  if (all_but_hold && places_.grew_in_vain()) return false;
+  if ((all_but_hold || !moves) && places_.grew_in_vain()) return false;
   return places_.tighten(accuracy.patience, moves && !all_but_hold);
 }
 

@@ -51,8 +51,8 @@ std::vector<double> count_spans(const std::vector<double>& at, const std::vector
   }
   for (std::size_t i = 1; i < intervals; ++i)
     length[i] = std::min(length[i], length[i - 1] + kGrowth * width[i]);
-  for (std::size_t i = intervals - 1; i > 0; --i)
-    length[i - 1] = std::min(length[i - 1], length[i] + kGrowth * width[i - 1]);
+  for (std::size_t i = intervals; i > 1; --i)
+    length[i - 2] = std::min(length[i - 2], length[i - 1] + kGrowth * width[i - 2]);
   std::vector<double> count(at.size(), 0.0);
   for (std::size_t i = 0; i < intervals; ++i) count[i + 1] = count[i] + width[i] / length[i];
   return count;

@@ -10,7 +10,7 @@ namespace {
 /// m, of a jump of the third derivative times the spacing cubed; a curve's error is about a
 /// hundredth of it.
 constexpr double kJumpThatShows = 2e-4;
-constexpr double kJumpFollowed = 2.5e-5;   ///< m, of a jump of acceleration times a span squared
+constexpr double kJumpFollowed = 1e-4;     ///< m, of a jump of acceleration times a span squared
 constexpr double kFinest = 0.05;           ///< of the spacing
 constexpr double kFinestAtACorner = 1e-3;  ///< of the spacing
 constexpr int kSpansOfARoundedCorner = 8;
