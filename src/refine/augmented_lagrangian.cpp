@@ -93,6 +93,8 @@ void AugmentedLagrangian::use_breakpoints(std::vector<double> breakpoints) {
   singularity_points_ = singularity_points(weights_, spline_.basis);
   limits_ = limit_constraints(input_.robot, spline_.basis);
   for (PointConstraint& point : points_) point.basis = spline_.basis.at(point.time);
+  if (places_.mu > kGrowth * kGrowth * places_.useful_mu)
+    places_.mu = std::max(places_.first_mu, places_.useful_mu);  // the old knots could not follow
   rates_.mu = rates_.first_mu;  // the multipliers of the limits are lost
   restart();
 }
