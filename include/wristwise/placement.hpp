@@ -33,7 +33,7 @@ struct PlacementOptions {
   Offset lower = Offset::Zero();
   Offset upper = Offset::Zero();
 
-  // The measure (F61): what is weighed is at most 1 each, but for a speed that can't be held.
+  // The measure (F81): what is weighed is at most 1 each, but for a speed that can't be held.
   double speed_weight = 1;        ///< of the peak of |joint speed| / limit
   double singularity_weight = 1;  ///< of what is missing of the margin, as a share of it
   double clearance_weight = 1;    ///< likewise
@@ -69,8 +69,8 @@ PlacementRequest load_placement(const std::filesystem::path& file);
 /// What a placement is worth.
 struct PlacementMeasure {
   bool feasible = false;  ///< the seam can be welded there: planned, and verified
-  /// What is minimised: (F61) where feasible; else more than any of those, by what is missing
-  /// (F62).
+  /// What is minimised: (F81) where feasible; else more than any of those, by what is missing
+  /// (F82).
   double value = std::numeric_limits<double>::infinity();
   std::string obstacle;        ///< where not feasible: the reason of the diagnosis
   double waypoints_share = 0;  ///< of the waypoints, in the longest piece that stage 1 can pass

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/frame_keys.hpp"
+#include "io/json_diagnosis.hpp"
+#include "io/json_value.hpp"
 #include "io/peaks.hpp"
 #include "io/placed_problem_file.hpp"
 #include "io/placement_map_picture.hpp"
@@ -16,9 +17,9 @@ namespace wristwise {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+using json::coordinates;
+using json::Json;
+using json::number;
 
 Json vector(const Eigen::Vector3d& values) {
   return Json::array({values.x(), values.y(), values.z()});
@@ -29,13 +30,6 @@ Json frame(const Pose& pose) {
   return {{"xyz", vector(keys.xyz)}, {"rpy", vector(keys.rpy)}};
 }
 
-Json offset(const Offset& offset) {
-  Json json = Json::object();
-  for (int i = 0; i < 6; ++i)
-    json[kCoordinateNames[static_cast<std::size_t>(i)]] = number(offset[i]);
-  return json;
-}
-
 Json measure(const PlacementMeasure& measure) {
   const bool measured = measure.singularity_distance > 0 || measure.speed_ratio > 0;
   return {{"feasible", measure.feasible},
@@ -44,17 +38,17 @@ Json measure(const PlacementMeasure& measure) {
           {"waypoints_share", number(measure.waypoints_share)},
           {"speed_ratio", measured ? number(measure.speed_ratio) : Json(nullptr)},
           {"singularity_distance", measured ? number(measure.singularity_distance) : Json(nullptr)},
-          {"clearance_m", measure.clearance ? number(*measure.clearance) : Json(nullptr)}};
+          {"clearance_m", number(measure.clearance)}};
 }
 
 /// Peak joint velocities, as in result.json.
-Json peaks(const PlanResult& plan, const Robot& robot) {
-  Json json = Json::object();
+Json peak_velocities(const PlanResult& plan, const Robot& robot) {
+  Json peaks = Json::object();
   const auto peak = peak_derivative(plan.path, 1);
   for (int j = 0; j < robot.joint_count(); ++j)
-    json[robot.joints()[static_cast<std::size_t>(j)].name] =
+    peaks[robot.joints()[static_cast<std::size_t>(j)].name] =
         peak ? number((*peak)[j]) : Json(nullptr);
-  return json;
+  return peaks;
 }
 
 Json plans(const PlacementPlans& plans, const Placement& placement) {
@@ -62,7 +56,7 @@ Json plans(const PlacementPlans& plans, const Placement& placement) {
   Json objects = Json::object();
   for (const SceneObject& object : problem.scene.objects)
     objects[object.name] = frame(object.shapes.front().pose);
-  return {{"offset", offset(placement.offset)},
+  return {{"offset", coordinates(placement.offset)},
           {"frame", frame(plans.placed.part_frame)},
           {"moved_objects", plans.placed.moved},
           {"objects", std::move(objects)},
@@ -72,26 +66,16 @@ Json plans(const PlacementPlans& plans, const Placement& placement) {
             {"two-stage", status_name(plans.two_stage.status)}}},
           {"passed", plans.two_stage.verification.passed},
           {"peak_velocity",
-           {{"graph-only", peaks(plans.graph_only, *problem.robot)},
-            {"two-stage", peaks(plans.two_stage, *problem.robot)}}}};
+           {{"graph-only", peak_velocities(plans.graph_only, *problem.robot)},
+            {"two-stage", peak_velocities(plans.two_stage, *problem.robot)}}}};
 }
 
 Json region(const PlacementOptions& options) {
-  Json json = Json::object();
+  Json ranges = Json::object();
   for (int i = 0; i < 6; ++i)
-    json[kCoordinateNames[static_cast<std::size_t>(i)]] =
+    ranges[kCoordinateNames[static_cast<std::size_t>(i)]] =
         Json::array({number(options.lower[i]), number(options.upper[i])});
-  return json;
-}
-
-Json diagnosis(const PlacementResult& result) {
-  Json json = Json::array();
-  for (const Diagnosis& entry : result.diagnosis)
-    json.push_back({{"waypoint", entry.waypoint ? Json(*entry.waypoint) : Json(nullptr)},
-                    {"reason", entry.reason},
-                    {"detail", entry.detail},
-                    {"suggestion", entry.suggestion}});
-  return json;
+  return ranges;
 }
 
 void write_or_remove(const std::filesystem::path& file, const std::string& text) {
@@ -113,23 +97,23 @@ std::string placement_json(const PlacementRequest& request, const PlacementResul
   for (const auto& [reason, count] : result.obstacles)
     obstacles[reason.empty() ? "none" : reason] = count;
   const bool has_before = result.before.placed.problem.robot != nullptr;
-  Json json = {{"status", status_name(result.status)},
-               {"problem", request.problem.name},
-               {"move", options.placed == Placed::part ? "part" : "robot"},
-               {"with", options.with},
-               {"region", region(options)},
-               {"seed", options.seed},
-               {"evaluations", result.evaluations},
-               {"obstacles", std::move(obstacles)},
-               {"out_of_time", result.out_of_time},
-               {"time_s", number(result.seconds)},
-               {"given", has_before ? plans(result.before, result.given) : Json(nullptr)},
-               {"found", is_found(result) ? plans(result.after, result.found) : Json(nullptr)},
-               {"diagnosis", diagnosis(result)}};
+  Json all = {{"status", status_name(result.status)},
+              {"problem", request.problem.name},
+              {"move", options.placed == Placed::part ? "part" : "robot"},
+              {"with", options.with},
+              {"region", region(options)},
+              {"seed", options.seed},
+              {"evaluations", result.evaluations},
+              {"obstacles", std::move(obstacles)},
+              {"out_of_time", result.out_of_time},
+              {"time_s", number(result.seconds)},
+              {"given", has_before ? plans(result.before, result.given) : Json(nullptr)},
+              {"found", is_found(result) ? plans(result.after, result.found) : Json(nullptr)},
+              {"diagnosis", json::diagnosis(result.diagnosis)}};
   if (!is_found(result) && result.status == Status::infeasible)
-    json["nearest"] = {{"offset", offset(result.found.offset)},
-                       {"measure", measure(result.found.measure)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    all["nearest"] = {{"offset", coordinates(result.found.offset)},
+                      {"measure", measure(result.found.measure)}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string placement_map_csv(const PlacementResult& result) {

@@ -13,8 +13,8 @@
 
 namespace wristwise {
 
-// (F61) max |q'_j| / limit_j + w_s (1 - m / m_0)^+ + w_c (1 - (d - d_safe) / d_0)^+
-// (F62) kInfeasible and what is missing, in four steps: the check of the refined trajectory below
+// (F81) max |q'_j| / limit_j + w_s (1 - m / m_0)^+ + w_c (1 - (d - d_safe) / d_0)^+
+// (F82) kInfeasible and what is missing, in four steps: the check of the refined trajectory below
 // 1, waypoints that stage 1 can't pass below 2, a seam out of reach below 3, things that would
 // stand in each other below 4.
 

@@ -6,7 +6,7 @@
 
 namespace wristwise {
 
-/// Measures placements by planning there (F61, F62). Shared by threads.
+/// Measures placements by planning there (F81, F82). Shared by threads.
 class PlacementMeter {
  public:
   /// @param request must outlive the meter

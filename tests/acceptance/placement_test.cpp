@@ -38,7 +38,7 @@ bool is_tool_at_part(const ClearanceModel& model, int pair) {
   return false;
 }
 
-/// (F61) by its definition, at 301 times: the wrist's distance from singularity from joint 5, whose
+/// (F81) by its definition, at 301 times: the wrist's distance from singularity from joint 5, whose
 /// axis is at a right angle to its neighbours'; distances of all pairs but the tool's from the
 /// plate, which moves with the seam.
 double measured(const Problem& problem, const PlanResult& plan, const PlacementOptions& options) {
@@ -164,7 +164,7 @@ TEST(Placement, WhereNothingIsInReachTheReasonIsTold) {
   EXPECT_NEAR(result.found.offset[0], 1.0, 0.05);  // least is missing where it is nearest
 }
 
-/// (F62) decreases on the way to where the seam can be welded.
+/// (F82) decreases on the way to where the seam can be welded.
 TEST(Placement, WhatIsMissingLeadsToWhereThereIsNone) {
   const TemporaryFolder folder;
   const PlacementResult result =
