@@ -12,6 +12,7 @@
 #include "gantry_urdf.hpp"
 #include "invalid_input.hpp"
 #include "temporary_folder.hpp"
+#include "wristwise/placement.hpp"
 #include "wristwise/problem.hpp"
 
 namespace wristwise {
@@ -68,6 +69,11 @@ std::vector<Place> places() {
       {"/properties/export/properties/krl", "export", with_path + "export: {krl: word}\n"},
       {"/properties/export/properties/rapid", "export", with_path + "export: {rapid: word}\n"},
       {"/properties/export/properties/ls", "export", with_path + "export: {ls: word}\n"},
+      {"/properties/placement", "placement", with_path + "placement: word\n"},
+      {"/properties/placement/properties/weights", "placement",
+       with_path + "placement: {weights: word}\n"},
+      {"/properties/placement/properties/margins", "placement",
+       with_path + "placement: {margins: word}\n"},
   };
 }
 
@@ -178,6 +184,8 @@ TEST(ProblemSchema, NumbersOfItsDefaultsAreThoseOfTheHeaders) {
   EXPECT_EQ(number("cost", "joint_motion"), CostOptions().joint_motion);
   EXPECT_EQ(number("cost", "acceleration"), CostOptions().acceleration);
   EXPECT_EQ(number("cost", "jerk"), CostOptions().jerk);
+  EXPECT_EQ(number("placement", "map"), PlacementOptions().map_points);
+  EXPECT_EQ(number("placement", "seed"), PlacementOptions().seed);
 }
 
 }  // namespace
