@@ -94,6 +94,15 @@ TEST_F(ExportCommand, ProgramsAreSmoothed) {
   }
 }
 
+TEST_F(ExportCommand, ProgramsAreSmoothedWithTheProblemThatTheyCameFrom) {
+  ASSERT_EQ(plan().exit_code, 0);  // its run-in begins before time 0
+  for (const char* name : {"SEAM.src", "SEAM.mod", "SEAM.ls"}) {
+    const ProgramRun outcome = run(
+        {"smooth", "p.yaml", "--joints", "out/" + std::string(name), "--out", "smooth", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0) << name << outcome.err << outcome.out;
+  }
+}
+
 TEST_F(ExportCommand, AnUnknownFormatIsSaidBeforePlanning) {
   folder_.write("p.yaml", kProblem);
   const ProgramRun outcome = run({"plan", "p.yaml", "--out", "out", "--export", "krl,rapit"});

@@ -74,7 +74,9 @@ RobotSource robot_source(const SmoothCommand& command) {
 SmoothingProblem load_with_problem(const SmoothCommand& command) {
   SmoothingProblem loaded;
   loaded.problem = load_problem(command.problem);
-  loaded.path = read_joint_path(command.joints, *loaded.problem.robot, loaded.problem.exports);
+  const Problem& problem = loaded.problem;
+  loaded.path = read_joint_path(command.joints, *problem.robot, problem.exports,
+                                problem.task.seam.start_time());
   if (const auto time = read_smoothing_time(command.smoothing_time))
     loaded.problem.refine.smoothing_time = *time;
   return loaded;

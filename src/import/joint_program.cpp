@@ -74,15 +74,21 @@ JointPath timed(const ProgramMoves& moves, const Robot& robot, const ControllerA
   return path;
 }
 
+JointPath read_program(const std::filesystem::path& file, const Robot& robot,
+                       const ExportOptions& options, double start_time) {
+  JointPath path = is_program(file) ? timed(read_moves(file, options.ls.j3_coupling), robot,
+                                            ControllerAxes(robot, options.axes), file.string())
+                                    : read_ros_message(file, joint_names(robot));
+  for (double& time : path.times) time += start_time;
+  return path;
+}
+
 }  // namespace
 
 JointPath read_joint_path(const std::filesystem::path& file, const Robot& robot,
-                          const ExportOptions& options) {
-  if (const auto moves = read_moves(file, options.ls.j3_coupling))
-    return timed(*moves, robot, ControllerAxes(robot, options.axes), file.string());
-  const std::string extension = file.extension().string();
-  if (extension == ".yaml" || extension == ".yml")
-    return read_ros_message(file, joint_names(robot));
+                          const ExportOptions& options, double start_time) {
+  if (is_program(file) || is_ros_message(file))
+    return read_program(file, robot, options, start_time);
   return read_trajectory(file, joint_names(robot)).path;
 }
 

@@ -37,7 +37,8 @@ ProgramMoves read_rapid(const std::filesystem::path& file);
 /// @param j3_coupling see ExportOptions::Ls; taken out of the axes
 ProgramMoves read_ls(const std::filesystem::path& file, int j3_coupling);
 
-/// By the extension: .src, .mod, .prg, .ls; nullopt for another.
-std::optional<ProgramMoves> read_moves(const std::filesystem::path& file, int j3_coupling);
+/// By the extension: .src, .mod, .prg or .ls.
+bool is_program(const std::filesystem::path& file);
+ProgramMoves read_moves(const std::filesystem::path& file, int j3_coupling);
 
 }  // namespace wristwise

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "import/file_extension.hpp"
 #include "io/config_reader.hpp"
 #include "similar_names.hpp"
 
@@ -37,6 +38,11 @@ double read_time(const ConfigReader& reader) {
 }
 
 }  // namespace
+
+bool is_ros_message(const std::filesystem::path& file) {
+  const std::string extension = file_extension(file);
+  return extension == ".yaml" || extension == ".yml";
+}
 
 JointPath read_ros_message(const std::filesystem::path& file,
                            const std::vector<std::string>& joint_names) {

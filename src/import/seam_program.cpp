@@ -109,11 +109,8 @@ class SeamProgram {
 
 std::vector<Segment> read_program_segments(const std::filesystem::path& file,
                                            const SegmentContext& context) {
-  const auto moves = read_moves(file, context.exports.ls.j3_coupling);
-  if (!moves)
-    throw InvalidInput(file.string(), "the extension '" + file.extension().string() + "'",
-                       "a program: .src, .mod, .prg or .ls");
-  std::vector<Segment> segments = SeamProgram(context).segments(*moves);
+  std::vector<Segment> segments =
+      SeamProgram(context).segments(read_moves(file, context.exports.ls.j3_coupling));
   if (segments.empty()) throw InvalidInput(file.string(), "no moves", "at least one");
   return segments;
 }
