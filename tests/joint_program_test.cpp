@@ -316,6 +316,26 @@ TEST_F(JointProgram, ExportsComeBack) {
   }
 }
 
+TEST_F(JointProgram, StartsWhenItIsTold) {
+  const auto file = folder_.write("weld.LS", kLs);
+  const JointPath path = read_joint_path(file, *robot_, options_, -2);
+  EXPECT_EQ(path.times[0], -2);
+  EXPECT_EQ(path.times[1], -0.5);
+}
+
+TEST_F(JointProgram, LineEndsOfWindowsMakeNoDifference) {
+  const ExportExample example = export_example();
+  for (const ProgramFormat format : program_formats()) {
+    const auto file = write_program(format, folder_.path(), example.result, example.problem);
+    const std::string text = test::file_text(file), name = file.filename().string();
+    std::string windows;
+    for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    const JointPath path = read(name, text), same = read(name, windows);
+    EXPECT_EQ(path.times, same.times) << name;
+    EXPECT_EQ(path.positions, same.positions) << name;
+  }
+}
+
 TEST_F(JointProgram, OtherExtensionsAreCsv) {
   EXPECT_TRUE(says(error("a.txt", "time,rail\n0,0\n"), "joint_1"));
 }

@@ -73,7 +73,7 @@ void check_export(ProgramFormat format, const Problem& problem) {
 
 std::filesystem::path write_program(ProgramFormat format, const std::filesystem::path& folder,
                                     const PlanResult& result, const Problem& problem) {
-  const std::filesystem::path file = folder / file_name(format, problem);
+  std::filesystem::path file = folder / file_name(format, problem);
   std::filesystem::remove(file);
   if (result.status != Status::solved) return {};
   write_text(file, program_text(format, result, problem));
