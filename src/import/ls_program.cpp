@@ -159,7 +159,7 @@ class LsReader {
       const std::string length = reader.word("%, sec, msec, mm/sec, cm/min or inch/min");
       reader.expect_symbol('/');
       const std::string per = reader.word("sec or min");
-      if (length == "MM" && per == "SEC")
+      if (length == "MM" && (per == "SEC" || per == "S"))
         move.speed = value * 1e-3;
       else if (length == "CM" && per == "MIN")
         move.speed = value * 1e-2 / 60;
