@@ -70,7 +70,8 @@ class SeamProgram {
   void end_lines() {
     if (lines_.poses.empty()) return;
     set_times();
-    add(std::move(lines_), lines_.where.front());
+    const std::string where = lines_.where.front();
+    add(std::move(lines_), where);
     lines_ = {};
   }
 
@@ -88,13 +89,17 @@ class SeamProgram {
 
   void end_joints() {
     if (joints_.postures.empty()) return;
-    add(std::move(joints_), joints_.where.front());
+    const std::string where = joints_.where.front();
+    add(std::move(joints_), where);
     joints_ = {};
   }
 
   template <typename Shape>
-  void add(Shape&& shape, std::string where) {
-    segments_.push_back({std::forward<Shape>(shape), context_.tolerance, std::move(where)});
+  void add(Shape shape, std::string where) {
+    Segment& segment = segments_.emplace_back();
+    segment.shape.template emplace<Shape>(std::move(shape));
+    segment.tolerance = context_.tolerance;
+    segment.where = std::move(where);
   }
 
   const SegmentContext& context_;
