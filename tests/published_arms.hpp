@@ -67,8 +67,8 @@ inline PublishedArm offset_wrist_arm() {
            {0, -90, 0, -90, 0, 0},
            {0, -90, 90, -90, -90, 0},
            {45, -60, -120, -90, 90, 30}},
-          0.99,
-          0.05};
+          0.1,
+          0.4};
 }
 
 /// KUKA LBR iiwa 14 R820: turns about the vertical and about the arm's side, one after another.
@@ -89,8 +89,8 @@ inline PublishedArm seven_axis_arm() {
            {"joint_a7", 175, 135}},
           flange,
           {{0, 0, 0, 0, 0, 0, 0}, {0, 30, 0, -60, 0, 90, 0}, {90, -45, 60, 100, -30, -70, 120}},
-          0.99,
-          0.001};
+          0.001,
+          0.02};
 }
 
 }  // namespace wristwise::test
