@@ -10,7 +10,7 @@ std::filesystem::path find_file(const ConfigReader& reader, const Packages& pack
   return resolve_mesh(uri, {{}, packages}, reader.where());
 }
 
-RobotSection read_robot(const ConfigReader& reader) {
+RobotSection read_robot(const ConfigReader& reader, const std::string& part_link) {
   reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "srdf", "packages"});
   RobotSource source;
   if (const auto packages = reader.find("packages"))
@@ -19,6 +19,7 @@ RobotSection read_robot(const ConfigReader& reader) {
   source.urdf = find_file(reader.at("urdf"), source.packages);
   if (const auto base = reader.find("base_link")) source.base_link = base->text();
   if (const auto tip = reader.find("tip_link")) source.tip_link = tip->text();
+  source.part_link = part_link;
   if (const auto tool = reader.find("tool")) source.tool = read_pose(*tool);
   if (const auto limits = reader.find("limits"))
     source.limits = find_file(*limits, source.packages);
