@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kinematics/calibrated_arm.hpp"
+#include "kinematics/crossed_shoulder.hpp"
 #include "kinematics/spherical_wrist_fit.hpp"
 #include "wristwise/error.hpp"
 
@@ -73,7 +74,10 @@ InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robo
                        "m and rad, zero or more");
   }
   const SphericalWristFit fit = fit_spherical_wrist(*robot, std::max(misfit, kExact));
-  if (!fit.arm) return {nullptr, "no closed form: " + fit.failure};
+  if (!fit.arm) {
+    if (const auto crossed = CrossedShoulder::find(robot)) return {crossed, crossed->description()};
+    return {nullptr, "no closed form: " + fit.failure};
+  }
 
   InverseKinematicsFound found;
   found.description = describe(*fit.arm);
