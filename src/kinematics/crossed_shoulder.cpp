@@ -47,7 +47,7 @@ std::shared_ptr<const CrossedShoulder> CrossedShoulder::find(
     if (line_angle(h[j], h[j + 1]) < kDegenerate) return nullptr;
   const Meeting shoulder = meeting_of(axes, 0, 1), wrist = meeting_of(axes, 3, 5);
   if (!(std::max(shoulder.distance, wrist.distance) <= kRounded)) return nullptr;
-  const std::shared_ptr<const CrossedShoulder> arm(
+  std::shared_ptr<const CrossedShoulder> arm(
       new CrossedShoulder(robot, axes, shoulder.point, wrist.point));
   if (std::min(arm->upper_arm_, arm->forearm_) < kDegenerate) return nullptr;
   return arm;
