@@ -16,7 +16,6 @@
 #include "timing/speed_diagnosis.hpp"
 #include "timing/weld_speed.hpp"
 #include "verify/pace_check.hpp"
-#include "wristwise/error.hpp"
 
 namespace wristwise {
 
@@ -108,8 +107,8 @@ class Pipeline {
 
   /// Stage 1. Without a path to the end, the best partial one and a diagnosis.
   bool find_seeds(const Task& task, const GraphOptions& graph) {
-    const auto ik = inverse_kinematics();
-    const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, graph};
+    find_solver();
+    const SamplingInput input{*problem_.robot, *ik_, clearance_, problem_.cost, graph};
     GraphPlan plan = find_paths(input, task);
     result_.graph = std::move(plan.statistics);
     result_.seeds = std::move(plan.seeds);
@@ -136,15 +135,11 @@ class Pipeline {
     return plan;
   }
 
-  std::shared_ptr<const InverseKinematics> inverse_kinematics() {
-    const InverseKinematicsFound found = find_inverse_kinematics(problem_.robot);
-    result_.inverse_kinematics = found.description;
-    if (!found.solver) {
-      throw InvalidInput("robot " + problem_.robot->name(),
-                         "no inverse kinematics: " + found.description,
-                         "a six-axis arm with a spherical wrist");
-    }
-    return found.solver;
+  void find_solver() {
+    if (ik_) return;
+    ik_ = problem_.inverse_kinematics ? problem_.inverse_kinematics
+                                      : find_inverse_kinematics(problem_.robot).solver;
+    result_.inverse_kinematics = ik_->description();
   }
 
   /// Stage 2; where none of the seeds can be refined it tries more of them.
@@ -284,6 +279,7 @@ class Pipeline {
   const int threads_;
   VerificationOptions verification_;
   std::shared_ptr<const ClearanceModel> clearance_;
+  std::shared_ptr<const InverseKinematics> ik_;
   PlanResult result_;
 };
 

@@ -32,14 +32,15 @@ class InverseKinematics {
 };
 
 struct InverseKinematicsFound {
-  std::shared_ptr<const InverseKinematics> solver;  ///< null where no closed form fits
-  std::string description;                          ///< what was found, or why nothing fits
+  std::shared_ptr<const InverseKinematics> solver;  ///< not null
+  std::string description;  ///< what was found, and why there is no closed form where there is none
 };
 
 /// Finds the closed form for a six-axis arm with a spherical wrist from the geometry of the chain:
 /// axes 4, 5, 6 meet in a point and axes 2, 3 are parallel, in any frame convention, with any axis
 /// signs and offsets. A chain that misses this by up to `misfit` (m; and rad) is solved in closed
-/// form and polished by Newton steps on the true chain (F7).
+/// form and polished by Newton steps on the true chain (F7). Any other chain is solved numerically
+/// (numeric_inverse_kinematics.hpp).
 InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robot,
                                                double misfit = 1e-3);
 

@@ -9,6 +9,7 @@
 #include "wristwise/kinematics.hpp"
 #include "wristwise/mesh.hpp"
 #include "wristwise/monitor.hpp"
+#include "wristwise/numeric_inverse_kinematics.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/plan.hpp"
 #include "wristwise/pose.hpp"

@@ -9,6 +9,7 @@
 #include "kinematics/crossed_shoulder.hpp"
 #include "kinematics/spherical_wrist_fit.hpp"
 #include "wristwise/error.hpp"
+#include "wristwise/numeric_inverse_kinematics.hpp"
 
 namespace wristwise {
 namespace {
@@ -76,7 +77,8 @@ InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robo
   const SphericalWristFit fit = fit_spherical_wrist(*robot, std::max(misfit, kExact));
   if (!fit.arm) {
     if (const auto crossed = CrossedShoulder::find(robot)) return {crossed, crossed->description()};
-    return {nullptr, "no closed form: " + fit.failure};
+    const auto solver = std::make_shared<NumericInverseKinematics>(std::move(robot));
+    return {solver, solver->description() + " (no closed form: " + fit.failure + ")"};
   }
 
   InverseKinematicsFound found;

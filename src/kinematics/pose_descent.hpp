@@ -1,0 +1,21 @@
+#pragma once
+
+#include "wristwise/robot.hpp"
+
+namespace wristwise {
+
+/// How a posture is led to a pose.
+struct DescentRules {
+  double length = 1;         ///< m that count as much as a radian on the way
+  double tolerance = 1e-10;  ///< m and rad, of what counts as reached
+  JointVector lower, upper;  ///< kept on the way; infinite where a joint is not held back
+};
+
+/// Moves a posture onto a target by damped least squares (F71), for any number of joints: the
+/// nearest solution, about, of those that a redundant chain has.
+/// @return whether the TCP is within the tolerance of the target. A start from which it does not
+/// get there is given up after few steps.
+bool descend_to_pose(const Robot& robot, const Pose& target, const DescentRules& rules,
+                     JointVector& q);
+
+}  // namespace wristwise
