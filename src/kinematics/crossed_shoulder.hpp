@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/elbow.hpp"
 #include "kinematics/six_axes.hpp"
 #include "wristwise/inverse_kinematics.hpp"
 
@@ -24,20 +25,15 @@ class CrossedShoulder final : public InverseKinematics {
   CrossedShoulder(std::shared_ptr<const Robot> robot, const SixAxes& axes,
                   const Eigen::Vector3d& shoulder, const Eigen::Vector3d& wrist);
 
-  void solve_shoulder(const Pose& moved, double elbow, const Pose& tcp,
-                      std::vector<JointVector>& branches) const;
   void solve_wrist(const Eigen::Matrix3d& left, JointVector q, const Pose& tcp,
                    std::vector<JointVector>& branches) const;
 
   std::shared_ptr<const Robot> robot_;
-  std::array<Eigen::Vector3d, 6> directions_;
-  Eigen::Vector3d point_3_;             // on axis 3
-  Eigen::Vector3d shoulder_, wrist_;    // at joint zero
-  Eigen::Vector3d side_6_;              // perpendicular to axis 6
-  Pose tcp_inverse_;                    // at joint zero
-  double upper_arm_ = 0, forearm_ = 0;  // m, distances of shoulder and wrist from axis 3
-  double along_ = 0;                    // m, from shoulder to wrist along axis 3
-  double elbow_zero_ = 0;               // joint 3 where the wrist is nearest to the shoulder
+  SixAxes axes_;
+  Eigen::Vector3d shoulder_, wrist_;  // at joint zero
+  Eigen::Vector3d side_6_;            // perpendicular to axis 6
+  Pose tcp_inverse_;                  // at joint zero
+  Elbow elbow_;
 };
 
 }  // namespace wristwise

@@ -8,6 +8,7 @@
 #include "kinematics/calibrated_arm.hpp"
 #include "kinematics/crossed_shoulder.hpp"
 #include "kinematics/spherical_wrist_fit.hpp"
+#include "kinematics/three_parallel_axes.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/numeric_inverse_kinematics.hpp"
 
@@ -76,7 +77,8 @@ InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robo
   }
   const SphericalWristFit fit = fit_spherical_wrist(*robot, std::max(misfit, kExact));
   if (!fit.arm) {
-    if (const auto crossed = CrossedShoulder::find(robot)) return {crossed, crossed->description()};
+    if (const auto arm = CrossedShoulder::find(robot)) return {arm, arm->description()};
+    if (const auto arm = ThreeParallelAxes::find(robot)) return {arm, arm->description()};
     const auto solver = std::make_shared<NumericInverseKinematics>(std::move(robot));
     return {solver, solver->description() + " (no closed form: " + fit.failure + ")"};
   }

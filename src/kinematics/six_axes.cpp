@@ -36,6 +36,11 @@ SixAxes axes_at_zero(const Robot& robot) {
   return axes;
 }
 
+Pose turn_about(const SixAxes& axes, std::size_t j, double angle) {
+  return Eigen::Translation3d(axes.points[j]) * Eigen::AngleAxisd(angle, axes.directions[j]) *
+         Eigen::Translation3d(-axes.points[j]);
+}
+
 double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }

@@ -14,8 +14,16 @@ struct SixAxes {
   Pose tcp;                                   ///< at joint zero
 };
 
+/// Tolerances of the closed forms that are polished.
+constexpr double kRoundedNumbers = 1e-5;  ///< m or rad: of descriptions with 1.5708 for pi / 2
+constexpr double kSlackOfStarts = 1e-4;   ///< how far out of reach a start may be; a share
+constexpr double kDegenerateAxes = 1e-3;  ///< rad or m: too close for a usable arm
+
 /// Why a chain has no six axes, or nothing.
 std::string reason_for_no_six_axes(const Robot& robot);
+
+/// The turn about axis j by an angle (rad), in the base frame.
+Pose turn_about(const SixAxes& axes, std::size_t j, double angle);
 
 /// @pre six revolute joints
 SixAxes axes_at_zero(const Robot& robot);
