@@ -13,7 +13,7 @@ double turn_onto(const Eigen::Vector3d& h, const Eigen::Vector3d& from, const Ei
 template <class Value>
 struct UpToTwo {
   int count = 0;
-  std::array<Value, 2> values;
+  std::array<Value, 2> values{};
   void add(const Value& value) { values[static_cast<std::size_t>(count++)] = value; }
   const Value* begin() const { return values.data(); }
   const Value* end() const { return values.data() + count; }
