@@ -56,6 +56,7 @@ using JointSteps = std::map<std::string, double>;
 /// solves the rest; the rest is one piece of the chain, so that one solver serves all samples; as
 /// many prismatic joints, and then the first ones of the chain, are sampled. Without joints to
 /// sample it is the first solver found.
+/// @param finders the preferred ones first; empty: find_inverse_kinematics
 ///
 /// Samples of a joint: its range cut into the fewest equal intervals not longer than the step, both
 /// ends included; of one that can turn round, -pi + k 2 pi / n. Default steps are 0.1 m and 10 deg;
@@ -65,8 +66,8 @@ using JointSteps = std::map<std::string, double>;
 /// @throws InvalidInput for an unknown joint, a step that is negative or no number, or more than
 /// 100,000 combinations.
 InverseKinematicsFound find_redundant_inverse_kinematics(
-    const std::shared_ptr<const Robot>& robot, const JointSteps& steps,
-    const std::vector<InverseKinematicsFinder>& finders);
+    const std::shared_ptr<const Robot>& robot, const JointSteps& steps = {},
+    const std::vector<InverseKinematicsFinder>& finders = {});
 
 enum class Turns { all, principal };
 

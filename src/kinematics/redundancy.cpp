@@ -78,6 +78,10 @@ std::string refusal(const Robot& robot, int sampled) {
          std::to_string(kMostSampled) + " can be";
 }
 
+InverseKinematicsFound find_closed_form(const std::shared_ptr<const Robot>& robot) {
+  return find_inverse_kinematics(robot);
+}
+
 }  // namespace
 
 InverseKinematicsFound find_redundant_inverse_kinematics(
@@ -93,7 +97,8 @@ InverseKinematicsFound find_redundant_inverse_kinematics(
   std::vector<Joints> sets = sets_with(named, sampled, robot->joint_count());
   sort_by_preference(sets, *robot);
   InverseKinematicsFound first;
-  for (const InverseKinematicsFinder& finder : finders) {
+  for (const InverseKinematicsFinder& finder :
+       finders.empty() ? std::vector<InverseKinematicsFinder>{find_closed_form} : finders) {
     for (const Joints& set : sets) {
       InverseKinematicsFound found =
           sampled == 0
