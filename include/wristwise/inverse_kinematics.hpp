@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -26,6 +27,9 @@ class InverseKinematics {
                             std::vector<JointVector>& branches) const {
     solve(tcp, branches);
   }
+
+  /// Combinations of samples of joints to spare, for each of which a pose is solved.
+  virtual std::size_t samples() const { return 1; }
 
   /// One line for people: what was recognised.
   virtual std::string description() const = 0;
