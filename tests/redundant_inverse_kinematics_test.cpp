@@ -272,6 +272,41 @@ TEST(RedundantInverseKinematics, WithoutJointsToSpareItIsTheSolverItself) {
   EXPECT_EQ(found.description, find_inverse_kinematics(arm).description);
 }
 
+TEST(ReversedInverseKinematics, SolvesAnArmThatHoldsThePart) {
+  Dice dice(12);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Robot arm = test::random_arm(dice, ArmChoice{});
+    // The torch stands in the base of the arm, the part is in its hand.
+    Robot::Parts parts;
+    parts.name = "holder";
+    Pose before = arm.tcp().inverse();
+    for (int j = 5; j >= 0; --j) {
+      Joint joint = arm.joints()[static_cast<std::size_t>(j)];
+      const Pose origin = joint.origin;
+      joint.origin = before;
+      joint.axis = -joint.axis;
+      parts.joints.push_back(joint);
+      before = origin.inverse();
+    }
+    parts.tcp = before;
+    const auto holder = std::make_shared<const Robot>(parts);
+    const auto found = find_inverse_kinematics(holder);
+    ASSERT_NE(found.solver, nullptr) << found.description;
+    EXPECT_TRUE(says(found.description, "passed backwards: spherical wrist"));
+    const auto forward = find_inverse_kinematics(std::make_shared<const Robot>(arm));
+    const JointVector q = dice.posture();
+    const Pose torch = tcp_pose(arm, q).inverse();  // seen from the hand
+    EXPECT_LT((tcp_pose(*holder, q.reverse()).matrix() - torch.matrix()).norm(), 1e-12);
+    std::vector<JointVector> branches, of_arm;
+    found.solver->solve(torch, branches);
+    forward.solver->solve(torch.inverse(), of_arm);
+    for (JointVector& branch : of_arm) branch = branch.reverse().eval();
+    expect_same_sets(branches, of_arm);
+    for (const JointVector& branch : branches)
+      EXPECT_LT((tcp_pose(*holder, branch).matrix() - torch.matrix()).norm(), 1e-9);
+  }
+}
+
 TEST(RedundantInverseKinematics, DefaultStepsMakeAboutAHundredCombinations) {
   Dice dice(3);
   const Chain chain{{extra("rail", JointType::prismatic, dice, 0, 3),

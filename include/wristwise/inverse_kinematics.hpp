@@ -43,7 +43,8 @@ struct InverseKinematicsFound {
 /// Finds the closed form for a six-axis arm with a spherical wrist from the geometry of the chain:
 /// axes 4, 5, 6 meet in a point and axes 2, 3 are parallel, in any frame convention, with any axis
 /// signs and offsets. A chain that misses this by up to `misfit` (m; and rad) is solved in closed
-/// form and polished by Newton steps on the true chain (F7).
+/// form and polished by Newton steps on the true chain (F7). An arm that the chain passes
+/// backwards, as it holds the part, is recognised as well.
 InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robot,
                                                double misfit = 1e-3);
 

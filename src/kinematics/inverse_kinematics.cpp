@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kinematics/calibrated_arm.hpp"
+#include "kinematics/reversed_chain.hpp"
 #include "kinematics/spherical_wrist_fit.hpp"
 #include "wristwise/error.hpp"
 
@@ -64,14 +65,7 @@ class PolishedClosedForm : public InverseKinematics {
   std::string description_;
 };
 
-}  // namespace
-
-InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robot, double misfit) {
-  if (!robot) throw InvalidInput("find_inverse_kinematics", "no robot");
-  if (!(misfit >= 0)) {
-    throw InvalidInput("find_inverse_kinematics", "misfit is " + std::to_string(misfit),
-                       "m and rad, zero or more");
-  }
+InverseKinematicsFound find_closed_form(std::shared_ptr<const Robot> robot, double misfit) {
   const SphericalWristFit fit = fit_spherical_wrist(*robot, std::max(misfit, kExact));
   if (!fit.arm) return {nullptr, "no closed form: " + fit.failure};
 
@@ -86,6 +80,23 @@ InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robo
       CalibratedArm(std::move(robot), *fit.arm, fit.position_misfit, fit.angle_misfit),
       found.description);
   return found;
+}
+
+}  // namespace
+
+InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robot, double misfit) {
+  if (!robot) throw InvalidInput("find_inverse_kinematics", "no robot");
+  if (!(misfit >= 0)) {
+    throw InvalidInput("find_inverse_kinematics", "misfit is " + std::to_string(misfit),
+                       "m and rad, zero or more");
+  }
+  InverseKinematicsFound found = find_closed_form(robot, misfit);
+  if (found.solver) return found;
+  const auto reversed = std::make_shared<const Robot>(reversed_chain(*robot));
+  const InverseKinematicsFound of_reversed = find_closed_form(reversed, misfit);
+  if (!of_reversed.solver) return found;
+  const auto solver = std::make_shared<ReversedInverseKinematics>(of_reversed.solver);
+  return {solver, solver->description()};
 }
 
 }  // namespace wristwise
