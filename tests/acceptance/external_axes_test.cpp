@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "temporary_folder.hpp"
 #include "wristwise/wristwise.hpp"
 
 namespace wristwise {
@@ -152,6 +153,55 @@ TEST_F(PositionerRing, ThePipeIsWhereTheTableIs) {
     shape.pose.pretranslate(Eigen::Vector3d(1.05, 0, 0.857));
   const Verification without_table = check(forgotten, result_->trajectory);
   EXPECT_GT(std::abs(*without_table.clearance - *with_table.clearance), 0.01);
+}
+
+// The arm holds the part under a torch that stands still.
+TEST(GrippedPart, IsWeldedUnderATorchThatStandsStill) {
+  const test::TemporaryFolder folder;
+  std::string urdf =
+      test::file_text(source_path("robots/kuka_kr5_arc/kuka_kr5_arc_round_torch.urdf"));
+  folder.write("cell.urdf", test::replaced(urdf, "</robot>", R"(
+  <link name="standing_torch"/>
+  <joint name="joint_stand" type="fixed">
+    <origin xyz="1.2 0.1 0.8" rpy="0 -1.5707963267948966 0"/>
+    <parent link="base_link"/><child link="standing_torch"/>
+  </joint>
+</robot>
+)"));
+  const Problem problem =
+      load_problem(folder.write("gripped.yaml", R"(
+robot: {urdf: cell.urdf, tip_link: standing_torch, limits: )" +
+                                                    source_path("robots/kuka_kr5_arc/"
+                                                                "joint_limits.yaml") +
+                                                    R"(}
+scene: {collision: off}
+path:
+  link: tool0
+  speed: 0.01
+  waypoints: 21
+  segments:
+    - line:
+        from: {xyz: [0, -0.1, 0.15], rpy: [180 deg, 0, 0]}
+        to: {xyz: [0, 0.1, 0.15], rpy: [180 deg, 0, 0]}
+  tolerance: {rz: free}
+)"));
+  EXPECT_EQ(problem.robot->joints().front().name, "joint_a6");
+  const PlanResult result = plan(problem);
+  ASSERT_EQ(result.status, Status::solved)
+      << (result.diagnosis.empty() ? "" : result.diagnosis.front().detail);
+  // By the arm's own chain: the seam's point in the hand is at the torch, which points at the
+  // robot.
+  RobotSource source;
+  source.urdf = folder.path() / "cell.urdf";
+  source.tip_link = "tool0";
+  const Robot arm = load_robot(source);
+  for (std::size_t i = 0; i < result.path.size(); ++i) {
+    const JointVector q = result.path.positions[i].reverse();
+    const double y = -0.1 + 0.2 * static_cast<double>(i) / 20;
+    const Pose hand = tcp_pose(arm, q);
+    EXPECT_LT((hand * Eigen::Vector3d(0, y, 0.15) - Eigen::Vector3d(1.2, 0.1, 0.8)).norm(), 2e-6);
+    EXPECT_LT((hand.linear().col(2) - Eigen::Vector3d::UnitX()).norm(), 2e-6);
+  }
 }
 
 TEST(RailLongSeam, PassesInBothModesAndNeedsTheRail) {
