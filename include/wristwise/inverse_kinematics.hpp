@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -27,20 +28,30 @@ class InverseKinematics {
     solve(tcp, branches);
   }
 
+  /// Combinations of samples of joints to spare, for each of which a pose is solved.
+  virtual std::size_t samples() const { return 1; }
+
   /// One line for people: what was recognised.
   virtual std::string description() const = 0;
 };
 
 struct InverseKinematicsFound {
-  std::shared_ptr<const InverseKinematics> solver;  ///< not null
-  std::string description;  ///< what was found, and why there is no closed form where there is none
+  std::shared_ptr<const InverseKinematics> solver;  ///< null where nothing fits
+  std::string description;                          ///< what was found, or why nothing fits
 };
 
-/// Finds the closed form for a six-axis arm with a spherical wrist from the geometry of the chain:
-/// axes 4, 5, 6 meet in a point and axes 2, 3 are parallel, in any frame convention, with any axis
-/// signs and offsets. A chain that misses this by up to `misfit` (m; and rad) is solved in closed
-/// form and polished by Newton steps on the true chain (F7). Any other chain is solved numerically
-/// (numeric_inverse_kinematics.hpp).
+/// Finds the closed form of a six-axis arm from the geometry of the chain, in any frame convention,
+/// with any axis signs and offsets:
+/// - axes 4, 5, 6 meet in a point and axes 2, 3 are parallel. A chain that misses this by up to
+///   `misfit` (m; and rad) is solved in closed form and polished by Newton steps on the true chain
+///   (F7);
+/// - axes 4, 5, 6 meet in a point and axes 1, 2 in another (F78);
+/// - axes 2, 3, 4 are parallel and axes 5, 6 meet in a point (F79).
+/// An arm that the chain passes backwards, as it holds the part, is recognised as well.
+InverseKinematicsFound find_closed_form(std::shared_ptr<const Robot> robot, double misfit = 1e-3);
+
+/// The closed form, or else the numeric solver of any chain (numeric_inverse_kinematics.hpp), with
+/// the reason. Never null.
 InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robot,
                                                double misfit = 1e-3);
 
@@ -57,6 +68,8 @@ using JointSteps = std::map<std::string, double>;
 /// solves the rest; the rest is one piece of the chain, so that one solver serves all samples; as
 /// many prismatic joints, and then the first ones of the chain, are sampled. Without joints to
 /// sample it is the first solver found.
+/// @param finders the preferred ones first; empty: find_closed_form, and where it finds nothing the
+/// numeric solver, of the whole chain unless `steps` names joints
 ///
 /// Samples of a joint: its range cut into the fewest equal intervals not longer than the step, both
 /// ends included; of one that can turn round, -pi + k 2 pi / n. Default steps are 0.1 m and 10 deg;
@@ -66,8 +79,8 @@ using JointSteps = std::map<std::string, double>;
 /// @throws InvalidInput for an unknown joint, a step that is negative or no number, or more than
 /// 100,000 combinations.
 InverseKinematicsFound find_redundant_inverse_kinematics(
-    const std::shared_ptr<const Robot>& robot, const JointSteps& steps,
-    const std::vector<InverseKinematicsFinder>& finders);
+    const std::shared_ptr<const Robot>& robot, const JointSteps& steps = {},
+    const std::vector<InverseKinematicsFinder>& finders = {});
 
 enum class Turns { all, principal };
 

@@ -24,7 +24,7 @@ struct RobotSource {
 
 /// Reads a serial chain from a URDF, see Robot. Joints above the base link and off the chain are
 /// held at zero, their links carried along. A joint that is passed from child to parent keeps its
-/// name, value and limits; its axis is turned round (F5).
+/// name, value and limits; its axis is turned round (F62).
 /// @throws InvalidInput: missing or malformed file, no such link or chain, a joint that moves both
 /// part and tip, a joint without limits, a joint type other than revolute, continuous, prismatic or
 /// fixed on the chain, a mesh that cannot be read.

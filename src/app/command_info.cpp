@@ -59,7 +59,7 @@ int run_info(const InfoCommand& command) {
   source.limits = command.limits;
   source.require_velocity_limits = false;
   const auto robot = std::make_shared<const Robot>(load_robot(source));
-  const InverseKinematicsFound found = find_inverse_kinematics(robot);
+  const InverseKinematicsFound found = find_redundant_inverse_kinematics(robot);
   const bool part_stands_still = robot->part_link() == robot->base_link();
   fmt::print("{}: {} to {}, {} joints\n{}inverse kinematics: {}\nbodies{}\n{}", robot->name(),
              robot->part_link(), robot->tip_link(), robot->joint_count(), joint_table(*robot),

@@ -1,8 +1,45 @@
+#include <fmt/format.h>
+
 #include "io/problem_sections.hpp"
 #include "kinematics/urdf_collision.hpp"
 #include "wristwise/urdf.hpp"
 
 namespace wristwise {
+
+namespace {
+
+/// A value holds the joint; a list is a range inside its limits.
+void read_joint_range(const ConfigReader& reader, Quantity quantity, Joint& joint) {
+  double lower = 0, upper = 0;
+  if (reader.is_list()) {
+    const auto bounds = reader.items(2, "[lower, upper]");
+    lower = bounds[0].quantity(quantity);
+    upper = bounds[1].quantity(quantity);
+  } else {
+    lower = upper = reader.quantity(quantity);
+  }
+  if (lower > upper) reader.fail("the lower end is above the upper", "[lower, upper]");
+  if (lower < joint.lower || upper > joint.upper)
+    reader.fail(
+        fmt::format("it leaves the joint's limits {:.6g} to {:.6g}", joint.lower, joint.upper),
+        "a range inside them");
+  joint.lower = lower;
+  joint.upper = upper;
+  if (joint.type == JointType::continuous) joint.type = JointType::revolute;
+}
+
+Robot with_joint_ranges(const Robot& robot, const ConfigReader& reader) {
+  Robot::Parts parts = robot.parts();
+  std::vector<std::string> names;
+  for (const Joint& joint : parts.joints) names.push_back(joint.name);
+  reader.expect_keys(names);
+  for (std::size_t j = 0; j < parts.joints.size(); ++j)
+    if (const auto range = reader.find(names[j]))
+      read_joint_range(*range, joint_quantity(robot, j), parts.joints[j]);
+  return Robot(std::move(parts));
+}
+
+}  // namespace
 
 std::filesystem::path find_file(const ConfigReader& reader, const Packages& packages) {
   const std::string uri = reader.text();
@@ -11,7 +48,8 @@ std::filesystem::path find_file(const ConfigReader& reader, const Packages& pack
 }
 
 RobotSection read_robot(const ConfigReader& reader, const std::string& part_link) {
-  reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "srdf", "packages"});
+  reader.expect_keys(
+      {"urdf", "base_link", "tip_link", "tool", "limits", "joint_ranges", "srdf", "packages"});
   RobotSource source;
   if (const auto packages = reader.find("packages"))
     for (const ConfigReader& folder : packages->items())
@@ -26,7 +64,9 @@ RobotSection read_robot(const ConfigReader& reader, const std::string& part_link
 
   RobotSection section;
   section.packages = source.packages;
-  section.robot = std::make_shared<const Robot>(load_robot(source));
+  Robot robot = load_robot(source);
+  if (const auto ranges = reader.find("joint_ranges")) robot = with_joint_ranges(robot, *ranges);
+  section.robot = std::make_shared<const Robot>(std::move(robot));
   if (const auto srdf = reader.find("srdf"))
     section.disabled = load_disabled_collisions(find_file(*srdf, source.packages));
   return section;

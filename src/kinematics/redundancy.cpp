@@ -78,12 +78,10 @@ std::string refusal(const Robot& robot, int sampled) {
          std::to_string(kMostSampled) + " can be";
 }
 
-}  // namespace
-
-InverseKinematicsFound find_redundant_inverse_kinematics(
-    const std::shared_ptr<const Robot>& robot, const JointSteps& steps,
-    const std::vector<InverseKinematicsFinder>& finders) {
-  if (!robot) throw InvalidInput("find_redundant_inverse_kinematics", "no robot");
+/// The first finder that solves the rest of the chain, for the best choice of joints to sample.
+InverseKinematicsFound find_sampled(const std::shared_ptr<const Robot>& robot,
+                                    const JointSteps& steps,
+                                    const std::vector<InverseKinematicsFinder>& finders) {
   const Joints named = named_joints(*robot, steps);
   const int spare = std::max(0, robot->joint_count() - kSolved);
   const int sampled = std::max(spare, static_cast<int>(named.size()));
@@ -104,6 +102,20 @@ InverseKinematicsFound find_redundant_inverse_kinematics(
     }
   }
   return first;
+}
+
+}  // namespace
+
+InverseKinematicsFound find_redundant_inverse_kinematics(
+    const std::shared_ptr<const Robot>& robot, const JointSteps& steps,
+    const std::vector<InverseKinematicsFinder>& finders) {
+  if (!robot) throw InvalidInput("find_redundant_inverse_kinematics", "no robot");
+  if (!finders.empty()) return find_sampled(robot, steps, finders);
+  const auto closed = [](const auto& rest) { return find_closed_form(rest); };
+  const auto any = [](const auto& rest) { return find_inverse_kinematics(rest); };
+  InverseKinematicsFound found = find_sampled(robot, steps, {closed});
+  if (found.solver) return found;
+  return steps.empty() ? find_inverse_kinematics(robot) : find_sampled(robot, steps, {any});
 }
 
 }  // namespace wristwise

@@ -23,6 +23,9 @@ class RedundantInverseKinematics : public InverseKinematics {
   void solve(const Pose& tcp, std::vector<JointVector>& branches) const override;
   void solve_beside(const Pose& tcp, const JointVector& posture,
                     std::vector<JointVector>& branches) const override;
+  std::size_t samples() const override {
+    return first_ends_.size() * middles_.size() * last_ends_.size();
+  }
   std::string description() const override { return description_; }
 
  private:

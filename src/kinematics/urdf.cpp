@@ -88,7 +88,7 @@ class ChainReader {
     parts_.tcp = at.pose * source_.tool;
   }
 
-  // (F5) A joint with origin O and axis a takes its parent to its child by O M(a, q). Passed the
+  // (F62) A joint with origin O and axis a takes its parent to its child by O M(a, q). Passed the
   // other way that is M(a, q)^-1 O^-1 = M(-a, q) O^-1: a joint without origin, and then O^-1.
   Placement beyond_movable(const Placement& at, const ChainJoint& passed) {
     Joint joint = read_joint(*passed.joint);
