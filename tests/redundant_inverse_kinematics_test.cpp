@@ -352,8 +352,11 @@ TEST(RedundantInverseKinematics, RefusesWhatCannotBeSampled) {
       chain.robot(), {{"rail", 1}, {"j1", 1}, {"j2", 1}, {"j3", 1}});
   EXPECT_EQ(none.solver, nullptr);
   EXPECT_TRUE(says(none.description, "at most 3")) << none.description;
-  const auto five = find_redundant_inverse_kinematics(chain.robot(), {{"rail", 1}, {"j1", 1}});
+  const JointSteps steps = {{"rail", 1}, {"j1", 1}};
+  const auto five = find_redundant_inverse_kinematics(
+      chain.robot(), steps, {[](const auto& rest) { return find_closed_form(rest); }});
   EXPECT_EQ(five.solver, nullptr);  // no closed form for five joints
+  EXPECT_TRUE(says(find_redundant_inverse_kinematics(chain.robot(), steps).description, "numeric"));
   EXPECT_THROW(find_redundant_inverse_kinematics(nullptr), InvalidInput);
 }
 
