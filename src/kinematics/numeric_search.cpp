@@ -20,6 +20,7 @@ constexpr double kSameStart = 0.4;        // rad or m
 constexpr double kLeadsThere = 0.6;       // rad or m, of a start to a known solution
 constexpr double kUnlimitedTravel = 10;   // m either way, of a slide without limits
 constexpr int kStartsOfABoxPose = 8;
+constexpr int kStartsOfASample = 16;
 
 bool turns_round(const Joint& joint) {
   return joint.type != JointType::prismatic && joint.upper - joint.lower >= 2 * kPi;
@@ -83,7 +84,7 @@ void NumericSearch::solve_in_cell(const DeviationCell& cell,
   if (!cell.path_frame.matrix().allFinite()) return;
   const Pose middle = pose_at_deviation(cell.box, cell.path_frame, cell.middle());
   Progress progress;
-  search_cell_near(middle, cell, slack_of(cell), options_.neighbours, solutions, progress);
+  search_cell_near(middle, cell, slack_of(cell), kStartsOfASample, solutions, progress);
 }
 
 void NumericSearch::solve_all_over(const DeviationCell& cell,
@@ -140,9 +141,10 @@ void NumericSearch::start_near(const Pose& tcp, double slack, int most_starts,
                                const Start& start) const {
   PostureTable::Found found;
   table_->find(tcp, options_.neighbours, slack, found);
+  const int most_vain = std::min(options_.vain_starts, most_starts);
   const auto ends = [&] {
     const bool many = solutions.size() >= static_cast<std::size_t>(options_.most_of_continuum);
-    return progress.vain >= options_.vain_starts || many ||
+    return progress.vain >= most_vain || many ||
            static_cast<int>(progress.tried.size()) >= most_starts;
   };
   const auto try_start = [&](int index) {

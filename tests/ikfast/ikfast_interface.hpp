@@ -3,6 +3,7 @@
 // The interface of a solver that IKFast generates, as its ikfast.h (version 61) declares it;
 // written down apart from the library's own.
 
+#include <cstddef>
 #include <vector>
 
 namespace ikfast {
@@ -26,10 +27,10 @@ template <typename T>
 class IkSolutionListBase {
  public:
   virtual ~IkSolutionListBase() {}
-  virtual size_t AddSolution(const std::vector<IkSingleDOFSolutionBase<T>>& vinfos,
+  virtual std::size_t AddSolution(const std::vector<IkSingleDOFSolutionBase<T>>& vinfos,
                              const std::vector<int>& vfree) = 0;
-  virtual const IkSolutionBase<T>& GetSolution(size_t index) const = 0;
-  virtual size_t GetNumSolutions() const = 0;
+  virtual const IkSolutionBase<T>& GetSolution(std::size_t index) const = 0;
+  virtual std::size_t GetNumSolutions() const = 0;
   virtual void Clear() = 0;
 };
 
