@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "dh_arms.hpp"
+#include "kinematics/descent.hpp"
+#include "kinematics/nearest_in_cell.hpp"
 #include "ur_closed_form.hpp"
 #include "wristwise/kinematics.hpp"
 #include "wristwise/numeric_inverse_kinematics.hpp"
@@ -201,6 +203,55 @@ void numeric_box(benchmark::State& state, const std::shared_ptr<const Robot>& ro
 }
 BENCHMARK_CAPTURE(numeric_box, ur5e, test::ur5e())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(numeric_box, iiwa14, test::iiwa14())->Unit(benchmark::kMillisecond);
+
+/// One start, up to 0.5 rad in each joint from a posture in the box: how it is led there, and how
+/// often it gets there.
+enum class Way { damped_least_squares, slsqp };
+
+void one_start(benchmark::State& state, const std::shared_ptr<const Robot>& robot, Way way,
+               double half_width) {
+  constexpr int kStarts = 400;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> off(-0.5, 0.5);
+  std::vector<DeviationCell> cells;
+  std::vector<JointVector> starts;
+  for (int i = 0; i < kStarts; ++i) {
+    JointVector q(robot->joint_count());
+    for (int j = 0; j < robot->joint_count(); ++j) {
+      const Joint& joint = robot->joints()[static_cast<std::size_t>(j)];
+      q[j] = std::uniform_real_distribution<double>(joint.lower, joint.upper)(random);
+    }
+    ToleranceBox box;
+    box.upper.setConstant(half_width);
+    box.lower = -box.upper;
+    cells.push_back(DeviationCell::of(box, tcp_pose(*robot, q)));
+    for (double& value : q) value += off(random);
+    starts.push_back(q.cwiseMax(robot->lower_limits()).cwiseMin(robot->upper_limits()));
+  }
+  const DescentRules rules{0.5, 1e-10, robot->lower_limits(), robot->upper_limits()};
+  double reached = 0;
+  while (state.KeepRunning()) {
+    reached = 0;
+    for (std::size_t i = 0; i < kStarts; ++i) {
+      JointVector q = starts[i];
+      const bool there = way == Way::slsqp ? move_to_nearest_in_cell(*robot, cells[i], rules.lower,
+                                                                     rules.upper, q) &&
+                                                 polish_in_cell(*robot, cells[i], rules, q)
+                                           : descend_to_pose(*robot, cells[i].path_frame, rules, q);
+      reached += there ? 1 : 0;
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * kStarts);
+  state.counters["reached_percent"] = 100 * reached / kStarts;
+}
+BENCHMARK_CAPTURE(one_start, ur5e_pose_by_damped_least_squares, test::ur5e(),
+                  Way::damped_least_squares, 0);
+BENCHMARK_CAPTURE(one_start, ur5e_pose_by_slsqp, test::ur5e(), Way::slsqp, 0);
+BENCHMARK_CAPTURE(one_start, ur5e_box_by_slsqp, test::ur5e(), Way::slsqp, 0.02);
+BENCHMARK_CAPTURE(one_start, iiwa14_pose_by_damped_least_squares, test::iiwa14(),
+                  Way::damped_least_squares, 0);
+BENCHMARK_CAPTURE(one_start, iiwa14_pose_by_slsqp, test::iiwa14(), Way::slsqp, 0);
+BENCHMARK_CAPTURE(one_start, iiwa14_box_by_slsqp, test::iiwa14(), Way::slsqp, 0.02);
 
 void numeric_table(benchmark::State& state) {
   const auto robot = test::ur5e();
