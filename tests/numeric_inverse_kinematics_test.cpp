@@ -217,20 +217,20 @@ TEST(NumericIk, KeepsSolutionsOfAContinuumApartAndInsideTheLimits) {
 }
 
 TEST(NumericIk, FindsNothingOutOfReach) {
-  Dice dice(9);
   std::vector<JointVector> branches = {JointVector::Zero(6)};
-  for (const auto& robot : {test::ur5e(), test::iiwa14(), test::planar_3r()}) {
+  for (const auto& robot : {test::iiwa14(), test::planar_3r()}) {
     const NumericInverseKinematics ik(robot);
+    const Pose stretched = tcp_pose(*robot, JointVector::Zero(robot->joint_count()));
+    const Eigen::Vector3d shoulder(0, 0, robot->joint_count() == 7 ? 0.36 : 0);
     for (const double beyond : {0.001, 0.01, 0.1, 1.0, 100.0}) {
-      Pose tcp = tcp_pose(*robot, JointVector::Zero(robot->joint_count()));  // stretched
-      const Eigen::Vector3d shoulder = robot->joints()[1].origin.translation();
-      const bool planar = robot->joint_count() == 3;
-      const Eigen::Vector3d from = planar ? Eigen::Vector3d::Zero() : shoulder;
-      tcp.translation() += beyond * (tcp.translation() - from).normalized();
-      if (robot->joint_count() == 6) continue;  // its zero is not its longest reach
+      Pose tcp = stretched;
+      tcp.translation() += beyond * (tcp.translation() - shoulder).normalized();
       ik.solve(tcp, branches);
       EXPECT_TRUE(branches.empty()) << robot->name() << " " << beyond;
     }
+  }
+  for (const auto& robot : {test::ur5e(), test::iiwa14(), test::planar_3r()}) {
+    const NumericInverseKinematics ik(robot);
     Pose far = Pose::Identity();
     far.translation() << 3, 0, 0;
     ik.solve(far, branches);

@@ -42,6 +42,8 @@ std::vector<Place> places() {
   return {
       {"", "", "word: 1\n"},
       {"/properties/robot", "robot", "robot: word\npath: word\n"},
+      {"/properties/robot/properties/ik", "robot",
+       std::string("robot: {urdf: gantry.urdf, ik: word}\n") + kPath},
       {"/properties/scene", "scene", with_path + "scene: word\n"},
       {"/properties/scene/properties/objects/items", "scene",
        with_path + "scene: {objects: [word]}\n"},
@@ -56,6 +58,7 @@ std::vector<Place> places() {
       {"/$defs/end_pose", "path", segment("line: {from: word}")},
       {"/properties/cost", "cost", with_path + "cost: word\n"},
       {"/properties/cost/properties/euler", "cost", with_path + "cost: {euler: word}\n"},
+      {"/properties/cost/properties/position", "cost", with_path + "cost: {position: word}\n"},
       {"/properties/cost/properties/singularity", "cost",
        with_path + "cost: {singularity: word}\n"},
       {"/properties/cost/properties/posture", "cost", with_path + "cost: {posture: word}\n"},

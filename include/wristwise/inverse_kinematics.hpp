@@ -8,8 +8,17 @@
 #include <vector>
 
 #include "wristwise/robot.hpp"
+#include "wristwise/tolerance.hpp"
 
 namespace wristwise {
+
+/// A sample of a tolerance box, and the part of the box that it stands for.
+struct ToleranceSample {
+  ToleranceBox box;
+  Pose path_frame = Pose::Identity();
+  Vector6 deviation = Vector6::Zero();                       ///< m, rad
+  Vector6 lower = Vector6::Zero(), upper = Vector6::Zero();  ///< of the part; m, rad
+};
 
 /// All postures that bring the TCP to a pose. Thread-safe; implement it to bring your own.
 class InverseKinematics {
@@ -30,6 +39,16 @@ class InverseKinematics {
 
   /// Combinations of samples of joints to spare, for each of which a pose is solved.
   virtual std::size_t samples() const { return 1; }
+
+  /// False for a chain that can't move its TCP in all six directions: few samples of a tolerance
+  /// box are poses that it can reach, so that stage 1 asks for solve_near.
+  virtual bool meets_every_pose() const { return true; }
+
+  /// As solve, for the sample; where that is out of reach, for any pose in the part of the box that
+  /// it stands for. By default the sample alone.
+  virtual void solve_near(const ToleranceSample& sample, std::vector<JointVector>& branches) const {
+    solve(pose_at_deviation(sample.box, sample.path_frame, sample.deviation), branches);
+  }
 
   /// One line for people: what was recognised.
   virtual std::string description() const = 0;

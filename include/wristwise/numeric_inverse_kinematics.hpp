@@ -9,6 +9,8 @@
 
 namespace wristwise {
 
+class NumericSearch;
+
 /// How many starts the numeric inverse kinematics makes, and what it takes for two solutions.
 struct NumericIkOptions {
   int postures = 10000;        ///< of the table of starts, at most
@@ -16,7 +18,8 @@ struct NumericIkOptions {
   int vain_starts = 32;        ///< in a row, without a new solution, after which the search ends
   double separation = 0.3;     ///< rad or m; of a continuum of solutions, those that differ by less
                                ///< in every joint are one
-  int most_of_continuum = 32;  ///< solutions for a pose, of a chain that has a continuum of them
+  int most_of_continuum = 32;  ///< solutions, where there is a continuum of them
+  int box_poses = 24;          ///< poses of a tolerance box from which postures are led into it
 };
 
 /// Inverse kinematics of any chain, without a closed form: damped least squares from the postures
@@ -35,11 +38,20 @@ class NumericInverseKinematics final : public InverseKinematics {
   /// postures inside the joint limits are given, `separation` apart.
   void solve(const Pose& tcp, std::vector<JointVector>& branches) const override;
 
+  bool meets_every_pose() const override;
+  void solve_near(const ToleranceSample& sample, std::vector<JointVector>& branches) const override;
+
+  /// Distinct postures inside the joint limits whose TCP is anywhere in a tolerance box, to 1e-10
+  /// (as above: 1e-9) m and rad: from each start the nearest such posture, by NLopt (F73). Where
+  /// the box leaves a continuum they are `separation` apart. Revolute joints in (-pi, pi].
+  /// @throws InvalidInput where the box is not valid
+  void solve_in_box(const ToleranceBox& box, const Pose& path_frame,
+                    std::vector<JointVector>& postures) const;
+
   std::string description() const override;
 
  private:
-  class Search;
-  std::unique_ptr<const Search> search_;
+  std::unique_ptr<const NumericSearch> search_;
 };
 
 }  // namespace wristwise

@@ -3,6 +3,7 @@
 #include "wristwise/clearance.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/geometry.hpp"
+#include "wristwise/ikfast_inverse_kinematics.hpp"
 #include "wristwise/inverse_kinematics.hpp"
 #include "wristwise/joint_box.hpp"
 #include "wristwise/joints.hpp"

@@ -30,6 +30,7 @@ Problem load_problem(const std::filesystem::path& file) {
   const ConfigReader path = reader.at("path");
   RobotSection robot = read_robot(reader.at("robot"), read_part_link(path));
   problem.robot = std::move(robot.robot);
+  problem.inverse_kinematics = std::move(robot.inverse_kinematics);
   problem.scene = read_scene(reader.find("scene"), *problem.robot, robot.packages);
   if (robot.disabled) {
     problem.scene.disabled = std::move(*robot.disabled);

@@ -4,6 +4,7 @@
 
 #include "io/config_reader.hpp"
 #include "task/seam_builder.hpp"
+#include "wristwise/inverse_kinematics.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/robot.hpp"
 #include "wristwise/scene.hpp"
@@ -24,6 +25,7 @@ Eigen::Vector3d read_rpy(const ConfigReader& reader);
 
 struct RobotSection {
   std::shared_ptr<const Robot> robot;
+  std::shared_ptr<const InverseKinematics> inverse_kinematics;  ///< null: not given
   Packages packages;
   std::optional<std::vector<Scene::Names>> disabled;  ///< given where there is an SRDF
 };

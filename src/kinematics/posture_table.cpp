@@ -15,13 +15,6 @@ constexpr int kProbes = 512;
 constexpr double kGapMargin = 2;
 constexpr double kShortest = 1e-3;  // m
 
-/// The root of x^(d+1) = x + 1 (Roberts 2018): its powers fill the unit cube evenly.
-double evenness(int dimensions) {
-  double root = 1.5;
-  for (int i = 0; i < 60; ++i) root = std::pow(1 + root, 1.0 / (dimensions + 1));
-  return root;
-}
-
 Pose axis_frame(const Joint& joint) {
   Pose frame = Pose::Identity();
   const Eigen::Vector3d z = joint.origin.linear() * joint.axis;
@@ -38,7 +31,8 @@ PostureTable::PostureTable(std::shared_ptr<const Robot> robot, JointVector lower
     : robot_(std::move(robot)),
       lower_(std::move(lower)),
       upper_(std::move(upper)),
-      shoulder_(axis_frame(robot_->joints().front())) {
+      shoulder_(axis_frame(robot_->joints().front())),
+      even_(inner_joints()) {
   const double enough = std::pow(kPerJoint, inner_joints());
   const int size = static_cast<int>(std::min<double>(count, std::max(1.0, enough)));
   length_ = std::max(longest_reach(std::max(size, kProbes)) / 2, kShortest);
@@ -61,14 +55,10 @@ int PostureTable::inner_joints() const {
 /// Point of a sequence that fills the box of the joints evenly.
 JointVector PostureTable::sample(int index) const {
   JointVector q = 0.5 * (lower_ + upper_);
-  const int dimensions = std::max(1, inner_joints());
-  const double root = evenness(dimensions);
-  double power = 1;
   const int first = first_is_free() ? 1 : 0;
-  for (int j = first; j < first + inner_joints(); ++j) {
-    power /= root;
-    const double share = 0.5 + power * (index + 1);
-    q[j] = lower_[j] + (share - std::floor(share)) * (upper_[j] - lower_[j]);
+  for (int k = 0; k < inner_joints(); ++k) {
+    const int j = first + k;
+    q[j] = lower_[j] + even_.at(index, k) * (upper_[j] - lower_[j]);
   }
   return q;
 }
@@ -120,12 +110,12 @@ double PostureTable::widest_gap(int first_sample, int samples) const {
   return std::sqrt(widest);
 }
 
-void PostureTable::find(const Pose& tcp, int count, Found& found) const {
+void PostureTable::find(const Pose& tcp, int count, double slack, Found& found) const {
   const Seen seen = see(tcp);
   found.first = seen.first;
   keys_->find(seen.key, static_cast<std::size_t>(count), found.postures);
-  if (!found.postures.empty() && !(std::sqrt(found.postures.front().square) <= within_reach_))
-    found.postures.clear();
+  const double nearest = std::sqrt(found.postures.front().square);
+  if (!(nearest <= within_reach_ + slack)) found.postures.clear();
 }
 
 JointVector PostureTable::towards(const Pose& tcp, const Found& found, int index) const {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "kinematics/even_points.hpp"
 #include "kinematics/nearest_keys.hpp"
 #include "wristwise/robot.hpp"
 
@@ -24,7 +25,8 @@ class PostureTable {
 
   /// The postures that come nearest to the pose. None: it is farther from all of them than they can
   /// be from any pose within reach.
-  void find(const Pose& tcp, int count, Found& found) const;
+  /// @param slack by how much the pose may change: m / length, rad
+  void find(const Pose& tcp, int count, double slack, Found& found) const;
 
   /// Posture of the table, its first and last joint not meant.
   const JointVector& posture(int index) const { return postures_[static_cast<std::size_t>(index)]; }
@@ -51,6 +53,7 @@ class PostureTable {
   std::shared_ptr<const Robot> robot_;
   JointVector lower_, upper_;
   Pose shoulder_;  // on the first joint's axis, z along it
+  EvenPoints even_;
   double length_ = 1;
   double within_reach_ = 0;  // largest distance of a key to the nearest
   std::vector<JointVector> postures_;

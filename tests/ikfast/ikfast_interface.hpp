@@ -1,0 +1,43 @@
+#pragma once
+
+// The interface of a solver that IKFast generates, as its ikfast.h (version 61) declares it;
+// written down apart from the library's own.
+
+#include <cstddef>
+#include <vector>
+
+namespace ikfast {
+
+template <typename T>
+struct IkSingleDOFSolutionBase {
+  IkSingleDOFSolutionBase() : fmul(0), foffset(0), freeind(-1), maxsolutions(1) {
+    for (unsigned char& index : indices) index = static_cast<unsigned char>(-1);
+  }
+  T fmul, foffset;
+  signed char freeind;
+  unsigned char jointtype;
+  unsigned char maxsolutions;
+  unsigned char indices[5];
+};
+
+template <typename T>
+class IkSolutionBase;
+
+template <typename T>
+class IkSolutionListBase {
+ public:
+  virtual ~IkSolutionListBase() {}
+  virtual std::size_t AddSolution(const std::vector<IkSingleDOFSolutionBase<T>>& vinfos,
+                             const std::vector<int>& vfree) = 0;
+  virtual const IkSolutionBase<T>& GetSolution(std::size_t index) const = 0;
+  virtual std::size_t GetNumSolutions() const = 0;
+  virtual void Clear() = 0;
+};
+
+}  // namespace ikfast
+
+#ifdef IKFAST_CLIBRARY
+#define IKFAST_API extern "C"
+#else
+#define IKFAST_API
+#endif
