@@ -12,6 +12,7 @@
 #include "wristwise/monitor.hpp"
 #include "wristwise/numeric_inverse_kinematics.hpp"
 #include "wristwise/options.hpp"
+#include "wristwise/placement.hpp"
 #include "wristwise/plan.hpp"
 #include "wristwise/pose.hpp"
 #include "wristwise/problem.hpp"
