@@ -37,6 +37,7 @@ JointVector random_posture(const Robot& robot, Dice& dice) {
 
 std::shared_ptr<const Robot> random_chain(Dice& dice, int joints) {
   std::vector<test::DhRow> rows;
+  rows.reserve(static_cast<std::size_t>(joints));
   for (int j = 0; j < joints; ++j) {
     rows.push_back({dice.uniform(-0.3, 0.3), dice.uniform(0.1, 0.4), dice.sign() * kPi / 2,
                     dice.uniform(2, 3)});

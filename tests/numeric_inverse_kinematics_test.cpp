@@ -158,6 +158,7 @@ TEST(NumericIk, TakesPosesOfAnArmThatMovesInAPlaneOnlyInThatPlane) {
 /// Random rows of random lengths; every third joint slides where `slides`.
 std::shared_ptr<const Robot> random_chain(Dice& dice, int joints, bool slides) {
   std::vector<test::DhRow> rows;
+  rows.reserve(static_cast<std::size_t>(joints));
   for (int j = 0; j < joints; ++j) {
     rows.push_back({dice.uniform(-0.3, 0.3), dice.uniform(-0.4, 0.4), dice.uniform(-kPi, kPi),
                     dice.uniform(1.5, 3)});
@@ -282,6 +283,7 @@ TEST(NumericIk, DependsOnThePoseAlone) {
   Dice dice(12);
   std::vector<Pose> poses;
   std::vector<std::vector<JointVector>> forwards(60), backwards(60);
+  poses.reserve(60);
   for (int i = 0; i < 60; ++i) poses.push_back(tcp_pose(*robot, random_posture(*robot, dice)));
   parallel_for(60, 2, [&](int, std::size_t i) { ik.solve(poses[i], forwards[i]); });
   for (std::size_t i = 60; i-- > 0;) again.solve(poses[i], backwards[i]);

@@ -58,9 +58,9 @@ std::vector<double> samples_of(const Joint& joint, double step) {
   if (!(count <= kMostCombinations))
     throw InvalidInput(kWhere, fmt::format("a step of {:g} for {}", step, joint.name),
                        "a larger step");
-  std::vector<double> values;
-  for (int k = 0; k < static_cast<int>(count) + (round ? 0 : 1); ++k)
-    values.push_back(lower + k * (upper - lower) / count);
+  std::vector<double> values(static_cast<std::size_t>(count) + (round ? 0 : 1));
+  for (std::size_t k = 0; k < values.size(); ++k)
+    values[k] = lower + static_cast<double>(k) * (upper - lower) / count;
   return values;
 }
 

@@ -10,14 +10,11 @@ namespace ikfast {
 
 template <typename T>
 struct IkSingleDOFSolutionBase {
-  IkSingleDOFSolutionBase() : fmul(0), foffset(0), freeind(-1), maxsolutions(1) {
-    for (unsigned char& index : indices) index = static_cast<unsigned char>(-1);
-  }
-  T fmul, foffset;
-  signed char freeind;
-  unsigned char jointtype;
-  unsigned char maxsolutions;
-  unsigned char indices[5];
+  T fmul = 0, foffset = 0;
+  signed char freeind = -1;
+  unsigned char jointtype = 0;
+  unsigned char maxsolutions = 1;
+  unsigned char indices[5] = {255, 255, 255, 255, 255};
 };
 
 template <typename T>
