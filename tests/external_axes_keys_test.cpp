@@ -5,6 +5,7 @@
 #include "invalid_input.hpp"
 #include "temporary_folder.hpp"
 #include "wristwise/kinematics.hpp"
+#include "wristwise/placement.hpp"
 #include "wristwise/problem.hpp"
 
 namespace wristwise {
@@ -118,6 +119,20 @@ TEST_F(ExternalAxesKeys, AJointWithOneValueIsHeldThere) {
   EXPECT_TRUE(says(
       error("{rail: [-1, 50 cm], turn: [0, 30 deg], roll: [-1, 1]}", "{rail: 0, turn: 0, roll: 0}"),
       "every joint is held"));
+}
+
+TEST_F(ExternalAxesKeys, APartThatIsMovedIsNotPlaced) {
+  const auto refusal = [&](const std::string& text) {
+    return invalid_input([&] {
+      place(load_placement(
+          folder_.write("p.yaml", text + "placement: {move: part, with: all, x: 0.1}\n")));
+    });
+  };
+  EXPECT_TRUE(says(refusal(kProblem), "the part is on 'table'"));
+  const std::string standing =
+      replaced(replaced(replaced(kProblem, "  link: table\n", ""), "turn: [0, 30 deg], ", ""),
+               "turn: 10 deg, ", "");
+  EXPECT_TRUE(says(refusal(standing), "object 'pipe' is fixed to 'table'"));
 }
 
 TEST_F(ExternalAxesKeys, WithoutThemNothingMovesThePart) {
