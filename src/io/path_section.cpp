@@ -40,7 +40,7 @@ SeamDescription read_description(const ConfigReader& reader, const Pose& part,
 
 PathSection read_path(const ConfigReader& reader, const Robot& robot,
                       const ExportOptions& exports) {
-  reader.expect_keys({"frame", "speed", "speed_policy", "spacing", "waypoints", "segments",
+  reader.expect_keys({"link", "frame", "speed", "speed_policy", "spacing", "waypoints", "segments",
                       "corners", "run_in", "run_out", "tolerance"});
   PathSection path;
   if (const auto frame = reader.find("frame")) path.part = read_pose(*frame);

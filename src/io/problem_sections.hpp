@@ -5,6 +5,7 @@
 #include "io/config_reader.hpp"
 #include "io/path_section.hpp"
 #include "wristwise/export_options.hpp"
+#include "wristwise/inverse_kinematics.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/placement.hpp"
 #include "wristwise/robot.hpp"
@@ -26,10 +27,12 @@ Eigen::Vector3d read_rpy(const ConfigReader& reader);
 
 struct RobotSection {
   std::shared_ptr<const Robot> robot;
+  std::shared_ptr<const InverseKinematics> inverse_kinematics;  ///< null: not given
   Packages packages;
   std::optional<std::vector<Scene::Names>> disabled;  ///< given where there is an SRDF
 };
-RobotSection read_robot(const ConfigReader& reader);
+/// @param part_link carries the part; empty: the base link
+RobotSection read_robot(const ConfigReader& reader, const std::string& part_link);
 
 /// Of the values of a joint, by its index.
 Quantity joint_quantity(const Robot& robot, std::size_t joint);
