@@ -125,6 +125,8 @@ TEST_F(JointProgram, KrlThatIsNotUnderstoodNamesTheLine) {
       {"$VEL_AXIS[7]=3", "no such axis"},
       {"$VEL_AXIS[1]=300", "out of range"},
       {"$VEL.CP=0", "above zero"},
+      {"$VEL={CP 1}", "'$VEL' is not understood"},
+      {"X Y = 3", "'X' is not understood"},
       {"DEF b()", "second program"},
       {"E6AXIS XA[3]", "no arrays"},
       {"\x01\x02", "'?'"},

@@ -201,28 +201,28 @@ class KrlReader {
   /// NAME = ..., $VEL.CP = ..., XP1 = {...}; a call may move, so it is not understood.
   void read_assignment(TokenReader& reader) {
     const Token name = reader.peek();
-    const std::string expected = "PTP, LIN, SPTP, SLIN, declarations and speeds";
-    if (name.kind != Token::Kind::word || reader.peek(1).text == "(")
-      reader.not_understood(expected);
-    if (points_.has(name.text) && reader.peek(1).text != ".") {
+    const std::string after = reader.peek(1).text;
+    const bool point = points_.has(name.text);
+    const bool assigns = after == "=" || (!point && (after == "." || after == "["));
+    if (name.kind != Token::Kind::word || !assigns || (name.text == "$VEL" && after == "="))
+      reader.not_understood("PTP, LIN, SPTP, SLIN, declarations and speeds");
+    if (name.text == "$BASE" || name.text == "$TOOL") expect_no_pose_yet(name.text, reader);
+    if (point) {
       points_.declare(reader);
       end_line(reader);
-      return;
+    } else if (name.text == "$VEL" && reader.peek(2).text == "CP") {
+      read_path_speed(reader);
+    } else {
+      reader.skip_line();
     }
-    std::size_t ahead = 1;
-    while (reader.peek(ahead).kind != Token::Kind::line_end &&
-           reader.peek(ahead).kind != Token::Kind::end && reader.peek(ahead).text != "=")
-      ++ahead;
-    if (reader.peek(ahead).text != "=" || ahead > 12 || points_.has(name.text))
-      reader.not_understood(expected);
-    if (name.text == "$BASE" || name.text == "$TOOL") expect_no_pose_yet(name.text, reader);
-    if (name.text == "$VEL" && reader.peek(2).text == "CP") {
-      for (std::size_t k = 0; k <= ahead; ++k) reader.next();
-      speed_ = checked_speed(reader.number("m/s"), reader);
-      end_line(reader);
-      return;
-    }
-    reader.skip_line();
+  }
+
+  /// $VEL.CP=0.01
+  void read_path_speed(TokenReader& reader) {
+    for (int k = 0; k < 3; ++k) reader.next();
+    reader.expect_symbol('=');
+    speed_ = checked_speed(reader.number("m/s"), reader);
+    end_line(reader);
   }
 
   KrlPoints points_;
