@@ -361,7 +361,7 @@ TEST_F(JointProgram, DamagedFilesAreReadOrRefused) {
     }
   };
   for (const auto& [name, text] : files) {
-    for (int trial = 0; trial < 300; ++trial) {
+    for (int trial = 0; trial < 80; ++trial) {
       std::string damaged = text.substr(0, random() % (text.size() + 1));
       read_or_refuse(name, damaged);
       damaged = text;
