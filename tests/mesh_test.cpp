@@ -123,7 +123,7 @@ TEST(LoadMesh, CubeHasItsVolumeWhateverTheFormat) {
   for (const std::string& file :
        {write_ascii_stl("ww_cube_ascii.stl", cube), write_binary_stl("ww_cube_binary.stl", cube),
         write_text("ww_cube.obj", obj)}) {
-    const auto hulls = load_mesh(file, {1, 1, 1});
+    const auto hulls = load_mesh(file, {1, 1, 1}).pieces;
     ASSERT_EQ(hulls.size(), 1U) << file;
     EXPECT_EQ(hulls[0].vertices.size(), 8U) << file;
     EXPECT_NEAR(volume_of(hulls[0]), 1, 1e-9) << file;
@@ -133,7 +133,7 @@ TEST(LoadMesh, CubeHasItsVolumeWhateverTheFormat) {
 
 TEST(LoadMesh, ScaleIsPerAxisAndMayMirror) {
   const std::string file = write_binary_stl("ww_scaled.stl", prism(kSquare, 1));
-  const auto hulls = load_mesh(file, {0.001, 0.002, -0.003});
+  const auto hulls = load_mesh(file, {0.001, 0.002, -0.003}).pieces;
   EXPECT_NEAR(volume_of(hulls.at(0)), 6e-9, 1e-18);
   for (const auto& vertex : hulls[0].vertices) EXPECT_LE(vertex.z(), 0);
   expect_closed_and_outward(hulls[0]);
@@ -142,14 +142,14 @@ TEST(LoadMesh, ScaleIsPerAxisAndMayMirror) {
 TEST(LoadMesh, SeparateCubesAreSeparateHulls) {
   Triangles both = prism(kSquare, 1);
   for (const auto& triangle : prism(kSquare, 2, {5, 0, 0})) both.push_back(triangle);
-  const auto hulls = load_mesh(write_ascii_stl("ww_two.stl", both), {1, 1, 1});
+  const auto hulls = load_mesh(write_ascii_stl("ww_two.stl", both), {1, 1, 1}).pieces;
   ASSERT_EQ(hulls.size(), 2U);
   EXPECT_NEAR(volume_of(hulls[0]), 1, 1e-9);
   EXPECT_NEAR(volume_of(hulls[1]), 2, 1e-9);
 }
 
 TEST(LoadMesh, ConcavePieceIsFilled) {
-  const auto hulls = load_mesh(write_ascii_stl("ww_l.stl", prism(kLetterL, 1)), {1, 1, 1});
+  const auto hulls = load_mesh(write_ascii_stl("ww_l.stl", prism(kLetterL, 1)), {1, 1, 1}).pieces;
   ASSERT_EQ(hulls.size(), 1U);
   EXPECT_NEAR(volume_of(hulls[0]), 3.5, 1e-9);
 }
@@ -157,7 +157,7 @@ TEST(LoadMesh, ConcavePieceIsFilled) {
 TEST(LoadMesh, LooseTrianglesAreHeldByOneHull) {
   Triangles mesh = prism(kSquare, 1);
   mesh.push_back({Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(4, 0, 0), Eigen::Vector3d(3, 1, 0)});
-  const auto hulls = load_mesh(write_ascii_stl("ww_loose.stl", mesh), {1, 1, 1});
+  const auto hulls = load_mesh(write_ascii_stl("ww_loose.stl", mesh), {1, 1, 1}).pieces;
   ASSERT_EQ(hulls.size(), 1U);
   for (const auto& triangle : mesh) {
     for (const auto& vertex : triangle) EXPECT_TRUE(test::contains(hulls[0], vertex, 1e-9));

@@ -61,7 +61,8 @@ std::vector<ConvexHull> hull_of_each(const std::vector<std::vector<Eigen::Vector
 
 }  // namespace
 
-std::vector<ConvexHull> load_mesh(const std::filesystem::path& file, const Eigen::Vector3d& scale) {
+MeshBody load_mesh(const std::filesystem::path& file, const Eigen::Vector3d& scale,
+                   const MeshOptions&) {
   const std::string where = file.string();
   if (!scale.allFinite() || (scale.array() == 0).any()) {
     throw InvalidInput(where, "a scale is zero or not finite", "a number for each axis");
@@ -72,10 +73,10 @@ std::vector<ConvexHull> load_mesh(const std::filesystem::path& file, const Eigen
   }
   const TriangleSoup soup = read_triangles(file, scale, where);
   try {
-    return hull_of_each(connected_pieces(soup), where);
+    return {hull_of_each(connected_pieces(soup), where), 0, {}};
   } catch (const InvalidInput&) {
     // Loose triangles have no hull of their own, and must not be lost: one hull round everything.
-    return {convex_hull(soup.vertices, where)};
+    return {{convex_hull(soup.vertices, where)}, 0, {}};
   }
 }
 

@@ -6,6 +6,8 @@ namespace wristwise {
 
 namespace {
 
+constexpr const char* kCacheFolder = ".wristwise_cache";
+
 double read_controller_period(const ConfigReader& reader) {
   reader.expect_keys({"period"});
   const auto period = reader.find("period");
@@ -14,16 +16,18 @@ double read_controller_period(const ConfigReader& reader) {
 
 }  // namespace
 
-Problem load_problem(const std::filesystem::path& file) {
+Problem load_problem(const std::filesystem::path& file, const LoadOptions& options) {
   const ConfigNode root = read_yaml(file);
   const ConfigReader reader(root, file);
   reader.expect_keys({"robot", "scene", "path", "cost", "graph", "refine", "controller"});
 
   Problem problem;
   problem.name = file.stem().string();
-  RobotSection robot = read_robot(reader.at("robot"));
+  std::filesystem::path cache;
+  if (options.mesh_cache) cache = file.parent_path() / kCacheFolder;
+  RobotSection robot = read_robot(reader.at("robot"), cache);
   problem.robot = std::move(robot.robot);
-  problem.scene = read_scene(reader.find("scene"), *problem.robot, robot.packages);
+  problem.scene = read_scene(reader.find("scene"), *problem.robot, robot.packages, cache);
   if (robot.disabled) {
     problem.scene.disabled = std::move(*robot.disabled);
     problem.scene.find_permanent_contacts = false;

@@ -4,6 +4,7 @@
 
 #include "io/config_reader.hpp"
 #include "task/seam_builder.hpp"
+#include "wristwise/mesh.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/robot.hpp"
 #include "wristwise/scene.hpp"
@@ -27,14 +28,18 @@ struct RobotSection {
   Packages packages;
   std::optional<std::vector<Scene::Names>> disabled;  ///< given where there is an SRDF
 };
-RobotSection read_robot(const ConfigReader& reader);
+/// @param mesh_cache folder; empty: none
+RobotSection read_robot(const ConfigReader& reader, const std::filesystem::path& mesh_cache);
+
+/// How far the pieces of a concave mesh may reach beyond it; nullopt for `off`.
+std::optional<double> read_convex_error(const ConfigReader& reader);
 
 /// Of the values of a joint, by its index.
 Quantity joint_quantity(const Robot& robot, std::size_t joint);
 
 /// @param reader empty where the file has no scene
 Scene read_scene(const std::optional<ConfigReader>& reader, const Robot& robot,
-                 const Packages& packages);
+                 const Packages& packages, const std::filesystem::path& mesh_cache);
 
 Task read_task(const ConfigReader& reader, const Robot& robot);
 

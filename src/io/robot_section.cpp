@@ -10,8 +10,14 @@ std::filesystem::path find_file(const ConfigReader& reader, const Packages& pack
   return resolve_mesh(uri, {{}, packages}, reader.where());
 }
 
-RobotSection read_robot(const ConfigReader& reader) {
-  reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "srdf", "packages"});
+std::optional<double> read_convex_error(const ConfigReader& reader) {
+  if (reader.is_word("off")) return std::nullopt;
+  return reader.positive(Quantity::length);
+}
+
+RobotSection read_robot(const ConfigReader& reader, const std::filesystem::path& mesh_cache) {
+  reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "srdf", "group",
+                      "packages", "collision_from", "convex_error"});
   RobotSource source;
   if (const auto packages = reader.find("packages"))
     for (const ConfigReader& folder : packages->items())
@@ -22,12 +28,22 @@ RobotSection read_robot(const ConfigReader& reader) {
   if (const auto tool = reader.find("tool")) source.tool = read_pose(*tool);
   if (const auto limits = reader.find("limits"))
     source.limits = find_file(*limits, source.packages);
+  if (const auto srdf = reader.find("srdf")) source.srdf = find_file(*srdf, source.packages);
+  if (const auto group = reader.find("group")) {
+    if (source.srdf.empty()) group->fail("there is no srdf to look it up in", "srdf: FILE");
+    source.group = group->text();
+  }
+  if (const auto from = reader.find("collision_from"))
+    source.visual_as_collision = from->choice({"collision", "visual"}) == "visual";
+  if (const auto error = reader.find("convex_error"))
+    source.meshes.convex_error = read_convex_error(*error);
+  source.meshes.cache = mesh_cache;
 
   RobotSection section;
   section.packages = source.packages;
   section.robot = std::make_shared<const Robot>(load_robot(source));
-  if (const auto srdf = reader.find("srdf"))
-    section.disabled = load_disabled_collisions(find_file(*srdf, source.packages));
+  if (!source.srdf.empty())
+    section.disabled = load_disabled_collisions(source.srdf, *section.robot);
   return section;
 }
 
