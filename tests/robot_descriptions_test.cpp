@@ -194,8 +194,8 @@ TEST_F(Description, OfAnIndustrialRobotLoadsAsItIs) {
   const Eigen::Vector3d expected(0.18 + 0.62 + 0.115, 0, 0.4 + 0.6 + 0.12);
   EXPECT_LT((zero.tcp.translation() - expected).norm(), 1e-12);
   ASSERT_EQ(link(robot, "base_link").collision.size(), 1U);
-  EXPECT_NEAR(bounding_radius(link(robot, "base_link").collision[0].geometry),
-              0.1 * std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(bounding_radius(link(robot, "base_link").collision[0].geometry), 0.1 * std::sqrt(3.0),
+              1e-9);
 }
 
 TEST_F(Description, PackagesAreFoundByFolderManifestAndEnvironment) {
@@ -239,8 +239,9 @@ TEST_F(Description, MimicJointsOffTheChainAreHeldWhereTheyFollow) {
   // grip is held at 0.01, its nearest to zero; the other finger at 2 * 0.01 + 0.003.
   EXPECT_NEAR(link(robot, "finger_left").pose.translation().y(), 0.01, 1e-15);
   EXPECT_NEAR(link(robot, "finger_right").pose.translation().y(), -0.023, 1e-15);
-  EXPECT_EQ(warnings_with(robot, "'grip_mimic' (prismatic) is not on the chain and is held at 0.023"),
-            1U);
+  EXPECT_EQ(
+      warnings_with(robot, "'grip_mimic' (prismatic) is not on the chain and is held at 0.023"),
+      1U);
   EXPECT_EQ(warnings_with(robot, "'piston' (revolute) mimics 'joint_2', which moves"), 1U);
 }
 
@@ -305,8 +306,9 @@ TEST_F(Description, GroupsThatAreNoChainAreRefused) {
 TEST_F(Description, SrdfNamesThatAreNowhereAreWarnedOf) {
   ends_of_group("manipulator");
   const Robot robot = load_robot(source_);
-  EXPECT_EQ(warnings_with(robot, "names 'lnik_2', which is no link of the robot; the nearest is "
-                                 "'link_2'"),
+  EXPECT_EQ(warnings_with(robot,
+                          "names 'lnik_2', which is no link of the robot; the nearest is "
+                          "'link_2'"),
             1U);
   EXPECT_EQ(warnings_with(robot, "robot.srdf"), 1U);  // left_a is off the chain: no fault
   folder_.write("robot.srdf", replaced(kSrdf, "name=\"maker_mk6\"", "name=\"other\""));
@@ -328,10 +330,11 @@ TEST_F(Description, LinksMayBeDisabledByDefault) {
 
 TEST_F(Description, LoopsAreRefused) {
   source_.tip_link = "tool0";
-  const std::string two_parents =
-      invalid_input([&] { load(replaced(kUrdf, "</robot>",
-                                        "<joint name='rod' type='fixed'><parent link='cover'/>"
-                                        "<child link='link_3'/></joint></robot>")); });
+  const std::string two_parents = invalid_input([&] {
+    load(replaced(kUrdf, "</robot>",
+                  "<joint name='rod' type='fixed'><parent link='cover'/>"
+                  "<child link='link_3'/></joint></robot>"));
+  });
   EXPECT_TRUE(says(two_parents, "link 'link_3' hangs on joint 'joint_3' and on 'rod'"))
       << two_parents;
   const std::string loop = invalid_input([&] {
@@ -353,9 +356,9 @@ TEST_F(Description, LoopsAreRefused) {
 
 TEST_F(Description, XacroIsToldFromUrdf) {
   source_.tip_link = "tool0";
-  EXPECT_TRUE(says(
-      invalid_input([&] { load(replaced(kUrdf, "lower=\"-2.9\"", "lower=\"${-pi}\"")); }),
-      "xacro"));
+  EXPECT_TRUE(
+      says(invalid_input([&] { load(replaced(kUrdf, "lower=\"-2.9\"", "lower=\"${-pi}\"")); }),
+           "xacro"));
   EXPECT_TRUE(says(
       invalid_input([&] { load(replaced(kUrdf, "</robot>", "<xacro:mk6 prefix=''/></robot>")); }),
       "xacro"));

@@ -26,7 +26,8 @@ struct MeshOptions {
 /// A mesh as convex pieces. Together they contain it, so a colliding posture never looks clear.
 struct MeshBody {
   std::vector<ConvexHull> pieces;
-  double error = 0;                   ///< m, no point of a piece is farther from the part
+  /// m, no point of a piece is farther from the part; nullopt where nobody asked (convex_error).
+  std::optional<double> error;
   std::vector<std::string> warnings;  ///< one line each, with the name of the file
 };
 

@@ -29,7 +29,7 @@ struct Scene {
   std::vector<Names> disabled;  ///< never measured (SRDF's disable_collisions)
   /// Find the pairs that are in contact at every sampled posture, and leave them out by name.
   bool find_permanent_contacts = true;
-  double clearance = 0;  ///< m, the least signed distance that is accepted
+  double clearance = 0;               ///< m, the least signed distance that is accepted
   std::vector<std::string> warnings;  ///< what the reader of the scene should know
 };
 

@@ -130,8 +130,9 @@ class CommandLine {
     command.add_option("--group", info_.group, "Group of the SRDF: gives base and tip");
     command.add_option("--package", info_.packages,
                        "Folder for package://, before ROS_PACKAGE_PATH; may be repeated");
-    command.add_option("--collision-from", info_.collision_from,
-                       "visual: links without collision shapes take their visual ones")
+    command
+        .add_option("--collision-from", info_.collision_from,
+                    "visual: links without collision shapes take their visual ones")
         ->check(CLI::IsMember({"collision", "visual"}));
     command.callback([this] { action_ = [this] { return run_info(info_); }; });
   }

@@ -7,7 +7,7 @@ namespace wristwise::app {
 /// The options that every command takes.
 struct Settings {
   bool quiet = false;
-  int threads = 0;  ///< 0: one per core
+  int threads = 0;        ///< 0: one per core
   bool no_cache = false;  ///< of meshes
 };
 

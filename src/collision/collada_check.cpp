@@ -18,9 +18,9 @@ constexpr int kDeepest = 200;
 
 /// The characters that may stand in an element of numbers.
 const std::map<std::string, const char*> kNumbers = {
-    {"p", kWhole},         {"vcount", kWhole}, {"v", kWhole},         {"h", kWhole},
+    {"p", kWhole},          {"vcount", kWhole}, {"v", kWhole},        {"h", kWhole},
     {"float_array", kReal}, {"matrix", kReal},  {"translate", kReal}, {"rotate", kReal},
-    {"scale", kReal},      {"lookat", kReal},  {"skew", kReal}};
+    {"scale", kReal},       {"lookat", kReal},  {"skew", kReal}};
 
 /// Attributes that must be there, by element.
 const std::map<std::string, std::vector<const char*>> kAttributes = {

@@ -60,15 +60,15 @@ void refuse_cut_stl(const std::filesystem::path& file, std::uintmax_t size) {
                      cut_head ? std::string("a whole file") : std::to_string(expected) + " bytes");
 }
 
-void append(const aiMesh& mesh, const std::string& where, TriangleSoup& soup) {
-  const int offset = static_cast<int>(soup.vertices.size());
+void append(const aiMesh& mesh, const std::string& where, TriangleMesh& read) {
+  const int offset = static_cast<int>(read.vertices.size());
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     const aiVector3D& p = mesh.mVertices[v];
     const Eigen::Vector3d vertex(p.x, p.y, p.z);
     if (!vertex.allFinite()) {
       throw InvalidInput(where, "a vertex is not finite", "coordinates that are numbers");
     }
-    soup.vertices.push_back(vertex);
+    read.vertices.push_back(vertex);
   }
   for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
     const aiFace& face = mesh.mFaces[f];
@@ -80,13 +80,13 @@ void append(const aiMesh& mesh, const std::string& where, TriangleSoup& soup) {
       }
       triangle[c] = offset + static_cast<int>(face.mIndices[c]);
     }
-    soup.triangles.push_back(triangle);
+    read.triangles.push_back(triangle);
   }
 }
 
 }  // namespace
 
-TriangleSoup read_mesh_file(const std::filesystem::path& file, bool turn_up_axis) {
+TriangleMesh read_mesh_file(const std::filesystem::path& file, bool turn_up_axis) {
   const std::string where = file.string();
   const std::string extension = lower_extension(file);
   const std::uintmax_t size = require_file(file);
@@ -103,13 +103,13 @@ TriangleSoup read_mesh_file(const std::filesystem::path& file, bool turn_up_axis
     throw InvalidInput(where, std::string("cannot be read: ") + importer.GetErrorString(),
                        "a mesh, for example STL, OBJ or DAE");
   }
-  TriangleSoup soup;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(*scene->mMeshes[m], where, soup);
-  if (soup.triangles.empty()) throw InvalidInput(where, "no triangles", "a mesh with a surface");
+  TriangleMesh read;
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(*scene->mMeshes[m], where, read);
+  if (read.triangles.empty()) throw InvalidInput(where, "no triangles", "a mesh with a surface");
   if (turn) {
-    for (Eigen::Vector3d& v : soup.vertices) v = Eigen::Vector3d(v.x(), -v.z(), v.y());
+    for (Eigen::Vector3d& v : read.vertices) v = Eigen::Vector3d(v.x(), -v.z(), v.y());
   }
-  return soup;
+  return read;
 }
 
 }  // namespace wristwise

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "collision/mesh_pieces.hpp"
+#include "collision/triangle_mesh.hpp"
 
 namespace wristwise {
 
@@ -10,6 +10,6 @@ namespace wristwise {
 /// @param turn_up_axis COLLADA: turn the file's up axis to z
 /// @throws InvalidInput naming the file where it is missing, unreadable, has no triangle or a
 /// vertex that is not finite.
-TriangleSoup read_mesh_file(const std::filesystem::path& file, bool turn_up_axis);
+TriangleMesh read_mesh_file(const std::filesystem::path& file, bool turn_up_axis);
 
 }  // namespace wristwise

@@ -22,9 +22,9 @@ struct Srdf {
 
   std::string robot_name;
   std::map<std::string, Group> groups;
-  std::vector<Names> disabled;              ///< disable_collisions
+  std::vector<Names> disabled;                ///< disable_collisions
   std::vector<std::string> never_by_default;  ///< disable_default_collisions
-  std::vector<Names> enabled;               ///< enable_collisions
+  std::vector<Names> enabled;                 ///< enable_collisions
 };
 
 /// @throws InvalidInput with file and line.

@@ -91,8 +91,7 @@ class ChainReader {
       parts_.warnings.push_back(std::move(warning));
     }
     if (source_.group.empty()) return;
-    const auto [base, tip] =
-        chain_of_group(srdf, source_.group, *document_.model, source_.srdf);
+    const auto [base, tip] = chain_of_group(srdf, source_.group, *document_.model, source_.srdf);
     if (source_.base_link.empty()) source_.base_link = base;
     if (source_.tip_link.empty()) source_.tip_link = tip;
   }
@@ -256,10 +255,10 @@ class ChainReader {
     if (names.size() > kMostNamed) {
       text += " and " + std::to_string(names.size() - kMostNamed) + " more";
     }
-    parts_.warnings.push_back(
-        "links without collision shapes: " + text +
-        (source_.visual_as_collision ? "; their visual ones are used"
-                                     : "; collision_from: visual would use their visual ones"));
+    parts_.warnings.push_back("links without collision shapes: " + text +
+                              (source_.visual_as_collision
+                                   ? "; their visual ones are used"
+                                   : "; collision_from: visual would use their visual ones"));
   }
 
   RobotSource source_;

@@ -47,8 +47,8 @@ void tidy_spaces(TiXmlElement& element) {
 /// @return whether it has visual elements but no collision element
 bool clean_link(TiXmlElement& link, bool visual_as_collision) {
   keep_only(link, kOfLink);
-  const bool only_visual = link.FirstChildElement("collision") == nullptr &&
-                           link.FirstChildElement("visual") != nullptr;
+  const bool only_visual =
+      link.FirstChildElement("collision") == nullptr && link.FirstChildElement("visual") != nullptr;
   if (only_visual && visual_as_collision) {
     while (TiXmlElement* visual = link.FirstChildElement("visual")) visual->SetValue("collision");
   }

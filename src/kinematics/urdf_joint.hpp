@@ -24,8 +24,8 @@ Joint joint_from_urdf(const urdf::Joint& joint, const DeclaredLimits& declared,
                       const JointLimits& file, bool require_velocity, const std::string& where,
                       std::vector<std::string>& warnings);
 
-/// Where a joint that does not move is held: at zero, or at the limit nearest to zero; a mimic joint
-/// where that puts it. @throws InvalidInput where it mimics no joint, or itself.
+/// Where a joint that does not move is held: at zero, or at the limit nearest to zero; a mimic
+/// joint where that puts it. @throws InvalidInput where it mimics no joint, or itself.
 double frozen_position(const urdf::Joint& joint, const urdf::ModelInterface& model);
 
 /// What the joint does to its child at a position (rad or m).

@@ -79,9 +79,9 @@ void require_expanded_tree(const TiXmlElement& robot, const std::string& where) 
                            "a tree: one joint of the loop left out");
       }
       if (passed.size() > kMostInARow) {
-        throw InvalidInput(where, "more than " + std::to_string(kMostInARow) +
-                                      " joints follow one another",
-                           "a robot");
+        throw InvalidInput(
+            where, "more than " + std::to_string(kMostInARow) + " joints follow one another",
+            "a robot");
       }
     }
   }
