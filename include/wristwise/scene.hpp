@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,8 @@ namespace wristwise {
 struct SceneObject {
   std::string name;
   std::vector<Shape> shapes;  ///< poses in the base frame of the robot
+  /// Of a mesh cut into convex pieces: m, no point of a shape is farther from the object.
+  std::optional<double> convex_error = {};
 };
 
 enum class CollisionScope {

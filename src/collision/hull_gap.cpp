@@ -43,11 +43,16 @@ class Search {
   }
 
  private:
+  /// Halves the long edges: the boxes of a flat hull soon are cubes.
   void split(const Cube& cube) {
-    const Eigen::Vector3d half = cube.half / 2;
+    const Eigen::Array3d halved = (cube.half.array() > 0.6 * cube.half.maxCoeff()).cast<double>();
+    const Eigen::Vector3d step = halved * cube.half.array() / 2;
+    const Eigen::Vector3d half = cube.half - step;
     for (int octant = 0; octant < 8; ++octant) {
-      const Eigen::Vector3d sign(octant & 1 ? 1 : -1, octant & 2 ? 1 : -1, octant & 4 ? 1 : -1);
-      look_at(cube.center + sign.cwiseProduct(half), half, cube.upper);
+      const Eigen::Array3d side(octant & 1, (octant >> 1) & 1, octant >> 2);
+      if ((side > halved).any()) continue;
+      const Eigen::Vector3d sign = 2 * side - 1;
+      look_at(cube.center + sign.cwiseProduct(step), half, cube.upper);
     }
   }
 

@@ -6,6 +6,7 @@
 
 #include "collision/convex_cut.hpp"
 #include "collision/cut_piece.hpp"
+#include "collision/hull_reduction.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
@@ -15,6 +16,9 @@ namespace {
 constexpr double kFarTooLarge = 100;  // m
 constexpr double kWeld = 1e-6;        // of the extent
 constexpr double kThickness = 1e-5;   // of the extent
+constexpr std::size_t kManyVertices = 200;
+constexpr double kReduction = 2e-3;      // of the size of a hull of many vertices
+constexpr double kShareForHulls = 0.25;  // of convex_error
 constexpr std::size_t kMostParts = 64;
 constexpr std::size_t kMostPieces = 128;
 constexpr std::size_t kMostTrianglesToCut = 50000;
@@ -46,10 +50,26 @@ class MeshBodyMaker {
     } else {
       hull_of_each(parts);
     }
+    reduce_hulls();
     return std::move(body_);
   }
 
  private:
+  /// Distances from hulls take time in proportion to their vertices.
+  void reduce_hulls() {
+    double added = 0;
+    for (ConvexHull& piece : body_.pieces) {
+      if (piece.vertices.size() <= kManyVertices) continue;
+      Eigen::AlignedBox3d box;
+      for (const Eigen::Vector3d& vertex : piece.vertices) box.extend(vertex);
+      double error = kReduction * box.sizes().maxCoeff();
+      if (options_.convex_error) error = std::min(error, kShareForHulls * *options_.convex_error);
+      piece = reduced_hull(piece, error);
+      added = std::max(added, error);
+    }
+    if (body_.error) *body_.error += added;
+  }
+
   void warn(const std::string& text) { body_.warnings.push_back(where_ + ": " + text); }
 
   /// Without measuring what the hulls add.
@@ -83,7 +103,7 @@ class MeshBodyMaker {
   }
 
   void add(TriangleMesh mesh, std::size_t most_pieces) {
-    const double asked = *options_.convex_error;
+    const double asked = (1 - kShareForHulls) * *options_.convex_error;
     const std::size_t triangles = mesh.triangles.size();
     const bool closed = !options_.sheet && close_outward(mesh);
     const Part part(std::move(mesh), closed);
@@ -96,7 +116,7 @@ class MeshBodyMaker {
       ConvexCut cut = convex_cut(part, asked, std::max<std::size_t>(most_pieces, 1));
       const std::string text =
           fmt::format("cut into {} pieces, which reach up to {{}} beyond it; convex_error is {}",
-                      cut.pieces.size(), in_mm(asked));
+                      cut.pieces.size(), in_mm(*options_.convex_error));
       take(std::move(cut), text);
     } else {
       take(hull_of(part, asked),
@@ -108,7 +128,7 @@ class MeshBodyMaker {
 
   /// @param text of the warning where the error is larger than asked for
   void take(ConvexCut cut, const std::string& text) {
-    if (cut.error > 1.001 * *options_.convex_error) {
+    if (cut.error > (1 - kShareForHulls) * *options_.convex_error + kWeld * extent_ * 10) {
       warn(fmt::format(fmt::runtime(text), in_mm(cut.error)));
     }
     body_.error = std::max(*body_.error, cut.error);

@@ -105,6 +105,47 @@ bool get_hull(Reader& reader, ConvexHull& hull) {
   return reader.sound() && vertices >= 4;
 }
 
+using Hash = std::array<std::uint64_t, 2>;
+
+std::string sealed(const std::string& content, const Hash& key) {
+  Writer file;
+  file.put(kMagic);
+  file.put(kVersion);
+  file.put(key);
+  file.put(content_hash(content));
+  file.put_text(content);
+  return file.text();
+}
+
+/// nullopt where the file is of another key or version, cut off or changed.
+std::optional<std::string> unsealed(const std::string& file, const Hash& key) {
+  Reader reader(file);
+  if (reader.get<std::uint64_t>() != kMagic || reader.get<std::uint32_t>() != kVersion ||
+      reader.get<Hash>() != key) {
+    return std::nullopt;
+  }
+  const auto sum = reader.get<Hash>();
+  std::string content = reader.get_text();
+  if (!reader.sound() || !reader.at_end() || content_hash(content) != sum) return std::nullopt;
+  return content;
+}
+
+std::optional<MeshBody> body_of(const std::string& content) {
+  Reader reader(content);
+  MeshBody body;
+  const bool measured = reader.get<std::uint8_t>() != 0;
+  const auto error = reader.get<double>();
+  if (measured) body.error = error;
+  body.pieces.resize(reader.count());
+  for (ConvexHull& piece : body.pieces) {
+    if (!get_hull(reader, piece)) return std::nullopt;
+  }
+  const std::uint32_t warnings = reader.count();
+  for (std::uint32_t w = 0; w < warnings; ++w) body.warnings.push_back(reader.get_text());
+  if (!reader.sound() || !reader.at_end() || body.pieces.empty()) return std::nullopt;
+  return body;
+}
+
 }  // namespace
 
 MeshCache::MeshCache(const std::filesystem::path& file, const Eigen::Vector3d& scale,
@@ -138,31 +179,13 @@ std::filesystem::path MeshCache::place() const {
 }
 
 std::optional<MeshBody> MeshCache::find() const {
-  if (folder_.empty()) return std::nullopt;
-  const std::string text = bytes_of(place());
-  Reader reader(text);
-  if (reader.get<std::uint64_t>() != kMagic || reader.get<std::uint32_t>() != kVersion ||
-      reader.get<std::array<std::uint64_t, 2>>() != key_) {
-    return std::nullopt;
-  }
-  const auto sum = reader.get<std::array<std::uint64_t, 2>>();
-  const std::string content = reader.get_text();
-  if (!reader.sound() || !reader.at_end() || content_hash(content) != sum) return std::nullopt;
-
-  Reader body_reader(content);
-  MeshBody body;
-  const bool measured = body_reader.get<bool>();
-  const auto error = body_reader.get<double>();
-  if (measured) body.error = error;
-  body.pieces.resize(body_reader.count());
-  for (ConvexHull& piece : body.pieces) {
-    if (!get_hull(body_reader, piece)) return std::nullopt;
-  }
-  const std::uint32_t warnings = body_reader.count();
-  for (std::uint32_t w = 0; w < warnings && body_reader.sound(); ++w) {
-    body.warnings.push_back(where_ + body_reader.get_text());
-  }
-  if (!body_reader.sound() || !body_reader.at_end() || body.pieces.empty()) return std::nullopt;
+  std::error_code ignored;
+  if (folder_.empty() || !std::filesystem::is_regular_file(place(), ignored)) return std::nullopt;
+  const auto content = unsealed(bytes_of(place()), key_);
+  if (!content) return std::nullopt;
+  auto body = body_of(*content);
+  if (!body) return std::nullopt;
+  for (std::string& warning : body->warnings) warning = where_ + warning;
   return body;
 }
 
@@ -170,26 +193,19 @@ std::optional<MeshBody> MeshCache::find() const {
 void MeshCache::keep(const MeshBody& body) const {
   if (folder_.empty()) return;
   Writer content;
-  content.put(body.error.has_value());
+  content.put(static_cast<std::uint8_t>(body.error.has_value()));
   content.put(body.error.value_or(0));
   content.put(static_cast<std::uint32_t>(body.pieces.size()));
   for (const ConvexHull& piece : body.pieces) put_hull(content, piece);
   content.put(static_cast<std::uint32_t>(body.warnings.size()));
   for (const std::string& warning : body.warnings) content.put_text(warning.substr(where_.size()));
-  Writer file;
-  file.put(kMagic);
-  file.put(kVersion);
-  file.put(key_);
-  file.put(content_hash(content.text()));
-  file.put_text(content.text());
-
   std::error_code error;
   std::filesystem::create_directory(folder_, error);
   const std::filesystem::path unfinished =
       place().string() + "." + std::to_string(getpid()) + ".tmp";
   {
     std::ofstream stream(unfinished, std::ios::binary);
-    stream << file.text();
+    stream << sealed(content.text(), key_);
     stream.close();
     if (!stream) {
       std::filesystem::remove(unfinished, error);

@@ -76,6 +76,7 @@ SceneObject read_object(const ConfigReader& reader, const Packages& packages,
   }
   MeshBody body = read_mesh(reader, packages, mesh_cache);
   for (ConvexHull& piece : body.pieces) object.shapes.push_back({std::move(piece), pose});
+  object.convex_error = body.error;
   for (const std::string& warning : body.warnings)
     warnings.push_back("object '" + object.name + "': " + warning);
   return object;
