@@ -38,7 +38,7 @@ TEST(ReducedHull, HoldsTheHullAndReachesNoFartherThanAskedFor) {
       const ConvexHull hull = hull_of_many(random, size, rounded);
       const double error = 5e-3 * size.maxCoeff();
       const ConvexHull reduced = reduced_hull(hull, error);
-      EXPECT_LT(reduced.vertices.size(), hull.vertices.size() / 2);
+      EXPECT_LT(reduced.vertices.size(), 0.7 * static_cast<double>(hull.vertices.size()));
       for (const Eigen::Vector3d& vertex : hull.vertices) {
         ASSERT_TRUE(test::contains(reduced, vertex, 2e-9 * size.maxCoeff()));
       }

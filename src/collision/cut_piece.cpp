@@ -22,6 +22,14 @@ double slack_of(const Part& part) {
   return kSlack * std::max(part.extent(), farthest);
 }
 
+/// Triangles share their corners.
+void drop_repeated(std::vector<Eigen::Vector3d>& points) {
+  std::sort(points.begin(), points.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
 std::optional<ConvexHull> hull_with_volume(const std::vector<Eigen::Vector3d>& points) {
   try {
     return convex_hull(points, "piece");
@@ -47,7 +55,7 @@ ConvexHull thick_hull(const std::vector<Eigen::Vector3d>& points, double thickne
 PartCutter::PartCutter(const Part& part) : part_(part), slack_(slack_of(part)) {}
 
 CutPiece PartCutter::whole() const {
-  Eigen::AlignedBox3d box = part_.mesh().box();
+  Eigen::AlignedBox3d box = part_.box();
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(0.1 * part_.extent());
   CutPiece piece{ConvexCell({box.min() - margin, box.max() + margin}), {}, {}};
   for (std::size_t t = 0; t < part_.mesh().triangles.size(); ++t) {
@@ -91,6 +99,7 @@ bool PartCutter::find_hull(CutPiece& piece) const {
   for (const CutPiece::Patch& patch : piece.surface) {
     points.insert(points.end(), patch.corners.begin(), patch.corners.end());
   }
+  drop_repeated(points);
   if (part_.closed()) {
     add_inner_corners(piece, points);
     auto hull = hull_with_volume(points);
@@ -113,6 +122,7 @@ void PartCutter::add_inner_corners(const CutPiece& piece,
 // solid a point a little inside the cell tells.
 bool PartCutter::is_inside(const Eigen::Vector3d& corner, const Eigen::Vector3d& center) const {
   const double near = 20 * slack_;
+  if (part_.box().squaredExteriorDistance(corner) > near * near) return false;
   const double distance = part_.distance(corner);
   if (distance < -near) return true;
   if (winding(corner) > 0.99) return true;

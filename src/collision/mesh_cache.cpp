@@ -185,7 +185,7 @@ std::optional<MeshBody> MeshCache::find() const {
   if (!content) return std::nullopt;
   auto body = body_of(*content);
   if (!body) return std::nullopt;
-  for (std::string& warning : body->warnings) warning = where_ + warning;
+  for (std::string& warning : body->warnings) warning.insert(0, where_);
   return body;
 }
 

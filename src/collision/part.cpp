@@ -18,10 +18,7 @@ double angle_at(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen:
 }  // namespace
 
 Part::Part(TriangleMesh mesh, bool closed)
-    : mesh_(std::move(mesh)),
-      closed_(closed),
-      extent_(mesh_.box().sizes().maxCoeff()),
-      tree_(mesh_) {
+    : mesh_(std::move(mesh)), closed_(closed), box_(mesh_.box()), tree_(mesh_) {
   find_normals();
 }
 

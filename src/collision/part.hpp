@@ -17,7 +17,8 @@ class Part {
 
   const TriangleMesh& mesh() const { return mesh_; }
   bool closed() const { return closed_; }
-  double extent() const { return extent_; }  ///< m, largest edge of its box
+  const Eigen::AlignedBox3d& box() const { return box_; }
+  double extent() const { return box_.sizes().maxCoeff(); }  ///< m
   Eigen::Vector3d normal(std::size_t triangle) const { return face_normals_[triangle]; }
 
   /// Distance of a point from the part, m; negative: so deep inside a solid. Where a surface
@@ -34,7 +35,7 @@ class Part {
 
   TriangleMesh mesh_;
   bool closed_;
-  double extent_;
+  Eigen::AlignedBox3d box_;
   TriangleTree tree_;
   std::vector<Eigen::Vector3d> face_normals_, vertex_normals_;
   std::vector<std::array<Eigen::Vector3d, 3>> edge_normals_;  ///< opposite corner 0, 1, 2

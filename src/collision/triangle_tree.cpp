@@ -86,10 +86,10 @@ int TriangleTree::build(int first, int count, const std::vector<Eigen::Vector3d>
 
 NearestOnMesh TriangleTree::nearest(const Eigen::Vector3d& point) const {
   struct Open {
-    int node;
-    double squared;
+    int node = 0;
+    double squared = 0;
   };
-  std::array<Open, kDeepest> open;
+  std::array<Open, kDeepest> open{};
   std::size_t size = 0;
   open[size++] = {0, 0};
   NearestOnMesh best;

@@ -17,6 +17,7 @@ namespace {
 template <class Map>
 std::vector<std::string> names_of(const Map& map) {
   std::vector<std::string> names;
+  names.reserve(map.size());
   for (const auto& entry : map) names.push_back(entry.first);
   return names;
 }
@@ -152,6 +153,7 @@ std::vector<std::string> srdf_warnings(const Srdf& srdf, const urdf::ModelInterf
   for (const std::string& name : srdf.never_by_default) look_at(name);
 
   std::vector<std::string> warnings;
+  warnings.reserve(unknown.size() + 1);
   const std::vector<std::string> links = names_of(model.links_);
   for (const std::string& name : unknown) {
     warnings.push_back(file.string() + " names '" + name +

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <tinyxml.h>
 
 #include <map>
@@ -59,7 +60,7 @@ std::map<std::string, ParentJoint> parent_joints(const TiXmlElement& robot,
     if (is_new) continue;
     throw InvalidInput(
         at(where, *joint),
-        "link '" + child + "' hangs on joint '" + entry->second.joint + "' and on '" + name + "'",
+        fmt::format("link '{}' hangs on joint '{}' and on '{}'", child, entry->second.joint, name),
         "a tree: a closed loop of links has to be cut open, one joint left out");
   }
   return above;
