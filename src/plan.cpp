@@ -1,6 +1,5 @@
 #include "wristwise/plan.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -9,9 +8,9 @@
 #include "graph/graph_planner.hpp"
 #include "parallel.hpp"
 #include "refine/seed_refinement.hpp"
+#include "refine/spare_seeds.hpp"
 #include "smoothing/whole_turns.hpp"
 #include "stopwatch.hpp"
-#include "timing/retiming.hpp"
 #include "timing/slowed_stretches.hpp"
 #include "timing/speed_diagnosis.hpp"
 #include "timing/weld_speed.hpp"
@@ -22,12 +21,8 @@ namespace wristwise {
 
 namespace {
 
-constexpr double kAnySpeed = 1e4;  // times the time: no joint is too slow for a move
-
 constexpr const char* kStoppedEarly =
     "stage 2 was stopped before its end; this is its best trajectory until then";
-
-constexpr std::size_t kMovesOfACheapSearch = 5000;  ///< checked; more paths cost as much each
 
 VerificationOptions verification_options(const Problem& problem, const PlanOptions& options) {
   VerificationOptions verification = options.verification;
@@ -51,7 +46,7 @@ class Pipeline {
   PlanResult plan() {
     return run([this] {
       prepare();
-      if (!find_seeds(problem_.task, problem_.graph)) return;
+      if (!find_seeds(problem_.task)) return;
       if (result_.mode == Mode::graph_only) return verify_result(problem_.task);
       Refined refined = refine_best_seed(problem_.task);
       std::vector<JointPath> seeds;
@@ -108,10 +103,8 @@ class Pipeline {
   }
 
   /// Stage 1. Without a path to the end, the best partial one and a diagnosis.
-  bool find_seeds(const Task& task, const GraphOptions& graph) {
-    const auto ik = inverse_kinematics();
-    const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, graph};
-    GraphPlan plan = find_paths(input, task);
+  bool find_seeds(const Task& task) {
+    GraphPlan plan = search(task, problem_.graph);
     result_.graph = std::move(plan.statistics);
     result_.seeds = std::move(plan.seeds);
     if (!result_.seeds.empty()) result_.path = result_.seeds.front().path;
@@ -123,18 +116,12 @@ class Pipeline {
 
   /// Where moves are too fast at weld speed, stage 2 starts from a path at any speed: it says which
   /// speed works, or slows down.
-  GraphPlan find_paths(const SamplingInput& input, const Task& task) {
-    const auto find = [&](const Task& timed, Help help) {
-      return plan_graph(input, timed, verification_.clearance_epsilon, threads_, options_.monitor,
-                        result_.timing, help);
-    };
-    if (result_.mode == Mode::graph_only) return find(task, Help::always);
-    GraphPlan plan = find(task, Help::unless_speeds);
-    if (plan.found || !is_too_fast(plan)) return plan;
-    plan = find(stretched(task, kAnySpeed), Help::unless_speeds);
-    if (!plan.found) return find(task, Help::always);
-    for (Seed& seed : plan.seeds) seed.path = at_waypoints_of(task, std::move(seed.path));
-    return plan;
+  GraphPlan search(const Task& task, const GraphOptions& graph) {
+    const auto ik = inverse_kinematics();
+    const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, graph};
+    const Speed speed = result_.mode == Mode::graph_only ? Speed::hold : Speed::any;
+    return plan_graph(input, task, verification_.clearance_epsilon, threads_, options_.monitor,
+                      result_.timing, speed);
   }
 
   std::shared_ptr<const InverseKinematics> inverse_kinematics() {
@@ -150,32 +137,23 @@ class Pipeline {
 
   /// Stage 2; where none of the seeds can be refined it tries more of them.
   Refined refine_best_seed(const Task& task) {
-    Refined best = refined(task, result_.seeds);
-    const bool cheap = result_.graph.edges_checked <= kMovesOfACheapSearch;
-    if (!best.feasible && !best.stopped && problem_.graph.spare_seeds > 0 && cheap)
-      try_spare_seeds(task, best);
-    return best;
+    Refined best = refine_seeds(task, result_.seeds);
+    if (best.feasible || best.stopped || !may_try_spare_seeds(problem_.graph, result_.graph))
+      return best;
+    return try_spare_seeds(
+        std::move(best), result_.seeds, [&] { return more_seeds(task); },
+        [&](std::vector<Seed>& spare) { return refine_seeds(task, spare); });
   }
 
-  Refined refined(const Task& task, std::vector<Seed>& seeds) {
-    const Stopwatch watch(result_.timing.refine);
-    return refine_seeds(refinement_input(task), seeds, threads_);
-  }
-
-  void try_spare_seeds(const Task& task, Refined& best) {
-    std::vector<Seed> tried = std::move(result_.seeds);
+  std::vector<Seed> more_seeds(const Task& task) {
     GraphOptions graph = problem_.graph;
     graph.seeds += graph.spare_seeds;
-    find_seeds(task, graph);
-    const std::size_t known = std::min(tried.size(), result_.seeds.size());
-    std::vector<Seed> spare(result_.seeds.begin() + static_cast<std::ptrdiff_t>(known),
-                            result_.seeds.end());
-    if (!spare.empty()) {
-      Refined other = refined(task, spare);
-      if (is_better(other, best)) best = std::move(other);
-    }
-    tried.insert(tried.end(), spare.begin(), spare.end());
-    result_.seeds = std::move(tried);
+    return search(task, graph).seeds;
+  }
+
+  Refined refine_seeds(const Task& task, std::vector<Seed>& seeds) {
+    const Stopwatch watch(result_.timing.refine);
+    return wristwise::refine_seeds(refinement_input(task), seeds, threads_);
   }
 
   Refined refine_path(const Task& task, const JointPath& path) {

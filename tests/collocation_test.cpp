@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "gantry.hpp"
 
@@ -47,6 +48,35 @@ TEST(Collocation, TakesAllWhereThereAreFewAndEveryJointWaypoint) {
   EXPECT_TRUE(std::any_of(points.begin(), points.end(), [&](const PointConstraint& point) {
     return point.time == task.waypoints[123].time && point.rows.size() == 4;
   }));
+}
+
+TEST(Collocation, KnowsWhetherAllWereTaken) {
+  const Task task = fine_task(21);
+  Collocation collocation(task);
+  collocation.choose(SplineBasis({0, 5, 10}), 20, 1, {});
+  EXPECT_TRUE(collocation.is_complete());
+  collocation.choose(SplineBasis({0, 5, 10}), 9, 1, {});
+  EXPECT_FALSE(collocation.is_complete());
+}
+
+TEST(Collocation, LeavesOutWhatIsLessViolatedThanAChosenWaypoint) {
+  Task task = fine_task(1001);
+  const Spline spline = along_the_seam({0, 2, 4, 6, 8, 10});
+  const auto robot = gantry::robot();
+  Collocation collocation(task);
+  const auto chosen = collocation.choose(spline.basis, 3, 1, {});
+  const auto in_span = std::find_if(chosen.begin(), chosen.end(),
+                                    [](const PointConstraint& point) { return point.time > 4.1; });
+  ASSERT_LT(in_span->time, 5.9);
+  const auto at = static_cast<std::size_t>(std::lround(in_span->time * 100));
+  ASSERT_EQ(task.waypoints[at].time, in_span->time);
+  task.waypoints[at].frame.translation().y() = 0.02;
+  task.waypoints[at + 3].frame.translation().y() = 0.015;
+  EXPECT_TRUE(collocation.violated(*robot, spline, 1e-6, 1).empty());
+  task.waypoints[at + 3].frame.translation().y() = 0.025;
+  const auto found = collocation.violated(*robot, spline, 1e-6, 1);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].time, task.waypoints[at + 3].time);
 }
 
 TEST(Collocation, MultipliersAreDensities) {

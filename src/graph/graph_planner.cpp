@@ -19,6 +19,8 @@ namespace wristwise {
 namespace {
 
 constexpr double kTurn = 6.28318530717958647692;
+constexpr double kAnySpeed = 1e4;                 // times the time: no joint is too slow for a move
+constexpr std::size_t kChecksAtAnySpeed = 10000;  // of moves
 
 /// Searches are repeated; what they report as progress must not go back.
 Monitor never_back(const Monitor& monitor) {
@@ -35,14 +37,14 @@ Monitor never_back(const Monitor& monitor) {
 class GraphPlanner {
  public:
   GraphPlanner(const SamplingInput& input, const Task& task, double epsilon, int threads,
-               const Monitor& monitor, Timing& timing, Help help)
+               const Monitor& monitor, Timing& timing, Speed speed)
       : input_(input),
         task_(task),
         epsilon_(epsilon),
         threads_(threads),
         monitor_(never_back(monitor)),
         timing_(timing),
-        help_(help) {}
+        speed_(speed) {}
 
   GraphPlan run() {
     if (input_.options.planner == Planner::sparse) {
@@ -51,10 +53,7 @@ class GraphPlanner {
       run_dense();
     }
     const bool explained = input_.options.planner == Planner::sparse;
-    const bool wanted = help_ == Help::always || !is_too_fast(plan_);
-    if (!plan_.found && !explained && wanted && plan_.diagnosis && plan_.diagnosis->waypoint) {
-      look_for_help();
-    }
+    if (!plan_.found && !explained && plan_.diagnosis && plan_.diagnosis->waypoint) look_for_help();
     describe_best();
     return std::move(plan_);
   }
@@ -94,11 +93,13 @@ class GraphPlanner {
     const Stopwatch watch(timing_.search);
     KnownChecks known(rungs, search.rules());
     LadderPath best = search.find_path(rungs, known);
-    const bool complete = best.found && rungs.size() == task_.waypoints.size();
-    plan_.found = complete;
-    plan_.statistics.first_cost = best.cost;
     if (!best.found) plan_.diagnosis = diagnose_search(input_, task_, search, best, epsilon_);
-    if (!complete) return record(best, 0);
+    const bool whole = rungs.size() == task_.waypoints.size();
+    if (whole && speed_ == Speed::any && is_too_fast())
+      find_slower_path(search, rungs, known, best);
+    plan_.found = best.found && whole;
+    plan_.statistics.first_cost = best.cost;
+    if (!plan_.found) return record(best, 0);
     std::vector<DistinctPath> paths = {{std::move(best), 0}};
     if (input_.options.seeds > 1) {
       const LadderPath first = paths.front().path;
@@ -114,13 +115,30 @@ class GraphPlanner {
                      [](const Seed& a, const Seed& b) { return a.cost < b.cost; });
   }
 
+  bool is_too_fast() const {
+    return plan_.diagnosis && plan_.diagnosis->counts && plan_.diagnosis->counts->too_fast > 0;
+  }
+
+  /// What the search at weld speed has checked is not checked again. Without an end it would look
+  /// at every move between any two postures where there is no path at any speed.
+  void find_slower_path(GraphSearch& search, const std::vector<Rung>& rungs, KnownChecks& known,
+                        LadderPath& best) {
+    search.slow_down(kAnySpeed);
+    std::size_t left = kChecksAtAnySpeed;
+    std::optional<LadderPath> slower = search.find_path_within(left, rungs, known);
+    if (!slower || !slower->found) return;
+    best = std::move(*slower);
+    plan_.too_fast = true;
+    plan_.diagnosis.reset();
+  }
+
   /// Where there is no path: what would help, and which pieces can be welded.
   void look_for_help() {
     const Stopwatch watch(timing_.search);
     std::string help;
     if (input_.options.try_relaxations) {
-      help = smallest_relaxation(input_, task_, *plan_.diagnosis->waypoint, is_too_fast(plan_),
-                                 epsilon_, monitor_);
+      help = smallest_relaxation(input_, task_, *plan_.diagnosis->waypoint, is_too_fast(), epsilon_,
+                                 monitor_);
     }
     if (!help.empty()) plan_.diagnosis->suggestion = help;
     const std::size_t reached = plan_.seeds.empty() ? 0 : plan_.seeds.front().path.size();
@@ -164,12 +182,13 @@ class GraphPlanner {
     GraphOptions options = input_.options;
     options.planner = Planner::dense;
     const SamplingInput dense{input_.robot, input_.ik, input_.clearance, input_.cost, options};
-    const GraphPlan plan =
-        GraphPlanner(dense, task_, epsilon_, threads_, monitor_, timing_, help_).run();
+    GraphPlan plan =
+        GraphPlanner(dense, task_, epsilon_, threads_, monitor_, timing_, speed_).run();
     plan_.diagnosis = plan.diagnosis;
     plan_.statistics.pieces = plan.statistics.pieces;
-    if (!plan.found) plan_.seeds = plan.seeds;
-    if (plan_.diagnosis || !plan.found) return;
+    if (!plan.found || plan.too_fast) plan_.seeds = plan.seeds;
+    plan_.found = plan_.too_fast = plan.too_fast;
+    if (plan_.diagnosis || !plan.found || plan.too_fast) return;
     plan_.diagnosis = Diagnosis{std::nullopt, "no_edge", "the sparse planner found no path",
                                 "use planner: dense, which finds one"};
   }
@@ -227,19 +246,15 @@ class GraphPlanner {
   const int threads_;
   const Monitor monitor_;
   Timing& timing_;
-  const Help help_;
+  const Speed speed_;
   GraphPlan plan_;
 };
 
 }  // namespace
 
 GraphPlan plan_graph(const SamplingInput& input, const Task& task, double epsilon, int threads,
-                     const Monitor& monitor, Timing& timing, Help help) {
-  return GraphPlanner(input, task, epsilon, threads, monitor, timing, help).run();
-}
-
-bool is_too_fast(const GraphPlan& plan) {
-  return plan.diagnosis && plan.diagnosis->counts && plan.diagnosis->counts->too_fast > 0;
+                     const Monitor& monitor, Timing& timing, Speed speed) {
+  return GraphPlanner(input, task, epsilon, threads, monitor, timing, speed).run();
 }
 
 }  // namespace wristwise

@@ -4,6 +4,24 @@
 
 namespace wristwise {
 
+namespace {
+
+struct SearchTooLong {};
+
+EdgeRules with_limited_checks(EdgeRules rules, std::size_t& left) {
+  if (!rules.is_clear) return rules;
+  rules.is_clear = [is_clear = std::move(rules.is_clear), &left](int worker, std::size_t interval,
+                                                                 const JointVector& from,
+                                                                 const JointVector& to) {
+    if (left == 0) throw SearchTooLong{};
+    --left;
+    return is_clear(worker, interval, from, to);
+  };
+  return rules;
+}
+
+}  // namespace
+
 GraphSearch::GraphSearch(const SamplingInput& input, const Task& task, double epsilon, int threads,
                          const Monitor& monitor)
     : moves_(task, input.clearance,
@@ -71,23 +89,22 @@ void GraphSearch::slow_down(double factor) {
   for (JointVector& step : rules_.max_step) step *= factor;
 }
 
-void GraphSearch::limit_checks(std::size_t& left) {
-  if (!rules_.is_clear) return;
-  rules_.is_clear = [is_clear = rules_.is_clear, &left](int worker, std::size_t interval,
-                                                        const JointVector& from,
-                                                        const JointVector& to) {
-    if (left == 0) throw SearchTooLong{};
-    --left;
-    return is_clear(worker, interval, from, to);
-  };
-}
-
 LadderPath GraphSearch::find_path(const std::vector<Rung>& rungs) {
   return find_least_cost_path(rungs, rules_, threads_, monitor_);
 }
 
 LadderPath GraphSearch::find_path(const std::vector<Rung>& rungs, KnownChecks& known) {
   return find_least_cost_path(rungs, rules_, threads_, monitor_, &known);
+}
+
+std::optional<LadderPath> GraphSearch::find_path_within(std::size_t& left,
+                                                        const std::vector<Rung>& rungs,
+                                                        KnownChecks& known) {
+  try {
+    return find_least_cost_path(rungs, with_limited_checks(rules_, left), 1, monitor_, &known);
+  } catch (const SearchTooLong&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace wristwise

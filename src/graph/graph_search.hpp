@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "graph/known_checks.hpp"
 #include "graph/ladder_graph.hpp"
@@ -8,8 +9,6 @@
 #include "graph/path_sampling.hpp"
 
 namespace wristwise {
-
-struct SearchTooLong {};
 
 /// The search of stage 1 on the rungs of a task: edge costs and filters from the options, postures
 /// and moves checked for clearance.
@@ -25,15 +24,15 @@ class GraphSearch {
   /// As if the seam were run slower by this factor, as far as joint speeds are concerned.
   void slow_down(double factor);
 
-  /// Gives up (SearchTooLong) where checks of moves have used up what is left. With one thread
-  /// only.
-  void limit_checks(std::size_t& left);
-
   /// @pre every rung has a vertex; as many as there are waypoints, or fewer
   LadderPath find_path(const std::vector<Rung>& rungs);
 
   /// The same for rungs that share their positions with those of `known`.
   LadderPath find_path(const std::vector<Rung>& rungs, KnownChecks& known);
+
+  /// The same with one thread, given up where checks of moves have used up what is `left` of them.
+  std::optional<LadderPath> find_path_within(std::size_t& left, const std::vector<Rung>& rungs,
+                                             KnownChecks& known);
 
   const EdgeRules& rules() const { return rules_; }
   MoveChecker& moves() { return moves_; }

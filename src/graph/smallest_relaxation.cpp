@@ -291,14 +291,10 @@ class Search {
     search.slow_down(trial.slower);
     const std::size_t granted = std::min(kChecksInTrial, left_);
     std::size_t left = granted;
-    search.limit_checks(left);
-    bool found = false;
-    try {
-      found = search.find_path(sampled.rungs).found;
-    } catch (const SearchTooLong&) {
-    }
+    KnownChecks known(sampled.rungs, search.rules());
+    const auto path = search.find_path_within(left, sampled.rungs, known);
     left_ -= granted - left;
-    return found;
+    return path && path->found;
   }
 
   SubTask around() const {

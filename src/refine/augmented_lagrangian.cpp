@@ -67,6 +67,13 @@ void AugmentedLagrangian::soften() {
   }
 }
 
+void AugmentedLagrangian::add_points(const std::vector<PointConstraint>& points) {
+  points_.insert(points_.end(), points.begin(), points.end());
+  restart();
+}
+
+void AugmentedLagrangian::relax() { places_.mu = std::max(places_.first_mu, places_.mu / kGrowth); }
+
 void AugmentedLagrangian::use_breakpoints(std::vector<double> breakpoints) {
   if (breakpoints.size() != spline_.basis.breakpoints().size())
     spline_ = with_breakpoints(spline_, std::move(breakpoints));
@@ -145,9 +152,11 @@ bool AugmentedLagrangian::minimise_once(double function_tolerance, const Stop& s
   InnerOptions options;
   options.max_iterations = input_.options.max_iterations;
   options.function_tolerance = function_tolerance;
+  options.trust_region = trust_region_;
   const InnerSummary inner = minimise(problem, spline_, options, stop);
   iterations_ += inner.iterations;
   evaluations_ += inner.evaluations;
+  trust_region_ = inner.trust_region;
   return inner.converged;
 }
 

@@ -52,6 +52,10 @@ class AugmentedLagrangian {
   const std::vector<LimitConstraint>& limits() const { return limits_; }
   /// After constraints that could not be met: their multipliers are large and mean nothing.
   void soften();
+  /// Takes mu a step back; the multipliers stay. Rows that are outside at first are the harder to
+  /// minimise over, the stiffer they are.
+  void relax();
+  void add_points(const std::vector<PointConstraint>& points);
   /// Points were added or exchanged: what was reached so far says nothing about these.
   void restart();
 
@@ -100,6 +104,7 @@ class AugmentedLagrangian {
   std::vector<EulerPoint> euler_points_;
   std::vector<SingularityPoint> singularity_points_;
   std::vector<PointValues> values_;
+  double trust_region_ = 0;  ///< radius at the end of the last round
   int rounds_ = 0, iterations_ = 0, evaluations_ = 0;
 };
 

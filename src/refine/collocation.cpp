@@ -93,11 +93,14 @@ std::vector<PointConstraint> Collocation::choose(const SplineBasis& basis, int p
   return points;
 }
 
+bool Collocation::is_complete() const {
+  return std::find(included_.begin(), included_.end(), false) == included_.end();
+}
+
 std::vector<PointConstraint> Collocation::violated(const Robot& robot, const Spline& spline,
                                                    double tolerance, double unit) const {
   std::map<std::pair<int, std::size_t>, std::pair<double, std::size_t>> worst;  // span, coordinate
   for (std::size_t i = 0; i < task_.waypoints.size(); ++i) {
-    if (included_[i]) continue;
     const SplineBasis::Values basis = spline.basis.at(task_.waypoints[i].time);
     const std::vector<double> outside = excess(robot, task_.waypoints[i], spline.value(basis));
     for (std::size_t k = 0; k < outside.size(); ++k) {
@@ -107,7 +110,10 @@ std::vector<PointConstraint> Collocation::violated(const Robot& robot, const Spl
     }
   }
   std::set<std::size_t> waypoints;
-  for (const auto& entry : worst) waypoints.insert(entry.second.second);
+  for (const auto& entry : worst) {
+    const std::size_t i = entry.second.second;
+    if (!included_[i]) waypoints.insert(i);
+  }
   std::vector<PointConstraint> points;
   const auto& breakpoints = spline.basis.breakpoints();
   for (const std::size_t i : waypoints) {

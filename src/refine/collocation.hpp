@@ -19,8 +19,12 @@ class Collocation {
   std::vector<PointConstraint> choose(const SplineBasis& basis, int per_span, double unit,
                                       const std::vector<PointConstraint>& before);
 
-  /// Constraints at the waypoints, one for each span and coordinate at most, that are farthest
-  /// outside what they ask, where that is more than `tolerance` (m, rad).
+  /// Whether every waypoint was chosen.
+  bool is_complete() const;
+
+  /// Constraints at the waypoints, one for each span and coordinate at most, that are farther
+  /// outside what they ask than `tolerance` (m, rad) and all others of the span, the chosen ones
+  /// among them.
   std::vector<PointConstraint> violated(const Robot& robot, const Spline& spline, double tolerance,
                                         double unit) const;
 

@@ -93,6 +93,7 @@ class Attempt {
       if (ending != Ending::converged) lagrangian_.soften();
     }
     if (levels_.size() > 1) place_points(levels_.size() - 1);
+    if (!collocation_.is_complete() && !look_at_the_rest()) return finish("stopped");
     switch (solve_finely()) {
       case Ending::converged:
         remember();
@@ -148,6 +149,16 @@ class Attempt {
     auto& points = lagrangian_.points();
     points = collocation_.choose(lagrangian_.spline().basis, kPointsPerSpan, unit(), points);
     lagrangian_.restart();
+  }
+
+  /// Waypoints that were left out and will be needed join while mu is small: false if stopped.
+  bool look_at_the_rest() {
+    const Ending ending = lagrangian_.solve(kCoarse, stop_);
+    if (ending == Ending::stopped) return false;
+    if (ending != Ending::converged) lagrangian_.soften();
+    lagrangian_.add_points(collocation_.violated(input_.robot, lagrangian_.spline(),
+                                                 input_.options.constraint_tolerance, unit()));
+    return true;
   }
 
   /// Until everything holds everywhere: more points where something is left out, more knots where
@@ -213,9 +224,8 @@ class Attempt {
   bool add_points() {
     const std::vector<PointConstraint> gaps = find_gaps();
     if (gaps.empty()) return false;
-    auto& points = lagrangian_.points();
-    points.insert(points.end(), gaps.begin(), gaps.end());
-    lagrangian_.restart();
+    lagrangian_.add_points(gaps);
+    lagrangian_.relax();
     return true;
   }
 

@@ -107,7 +107,9 @@ InnerSummary minimise(const AugmentedProblem& augmented, Spline& spline, const I
   options.function_tolerance = inner.function_tolerance;
   options.gradient_tolerance = 1e-14;
   options.parameter_tolerance = 1e-12;
-  options.initial_trust_region_radius = augmented.rate_mu > 0 ? kTrustRegionOfRates : kTrustRegion;
+  const double largest = augmented.rate_mu > 0 ? kTrustRegionOfRates : kTrustRegion;
+  options.initial_trust_region_radius =
+      inner.trust_region > 0 ? std::min(inner.trust_region, largest) : largest;
   // Rows of rates are stiff (a derivative of order k weighs a control point by 1 / span^k) and
   // switch on and off: strictly falling steps stall among them.
   options.use_nonmonotonic_steps = augmented.rate_mu > 0;
@@ -120,7 +122,8 @@ InnerSummary minimise(const AugmentedProblem& augmented, Spline& spline, const I
     spline.control.col(k) = spline.control.col(batches.representative(k, count)).eval();
   }
   return {static_cast<int>(summary.iterations.size()), summary.num_residual_evaluations,
-          summary.termination_type == ceres::CONVERGENCE};
+          summary.termination_type == ceres::CONVERGENCE,
+          summary.iterations.back().trust_region_radius};
 }
 
 }  // namespace wristwise

@@ -28,12 +28,14 @@ struct AugmentedProblem {
 struct InnerOptions {
   int max_iterations = 40;
   double function_tolerance = 1e-8;
+  double trust_region = 0;  ///< radius that an earlier round ended with; 0: none, a large one
 };
 
 struct InnerSummary {
   int iterations = 0;
   int evaluations = 0;
-  bool converged = false;  ///< false: stopped by the iteration limit, or no progress was possible
+  bool converged = false;   ///< false: stopped by the iteration limit, or no progress was possible
+  double trust_region = 0;  ///< radius at the end
 };
 
 /// Minimises the augmented Lagrangian over the control points, in place, by Levenberg-Marquardt

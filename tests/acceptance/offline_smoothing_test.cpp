@@ -159,6 +159,18 @@ TEST(OfflineSmoothing, NoisyRecordingOfAWeldingRobot) {
     EXPECT_LT(peaks[j], 1.5 * swing.sweep[j] * std::pow(swing.rate[j], 2));
 }
 
+// Of each span of the curve most rows are no constraint points at first, and noise puts some of
+// them outside: they have to join before the constraints are stiff.
+TEST(OfflineSmoothing, NoisyRowsCloseTogether) {
+  for (const double noise : {2e-5, 5e-5}) {
+    const JointPath path =
+        record(test::kr5_swing(), recording_times(noise < 3e-5 ? 6000 : 3000, 0.001), noise);
+    const PlanResult result = smooth(test::kr5::load(), path, {});
+    expect_kept(path, result, torch_tcp);
+    EXPECT_GT(gain(result, 3), 1000);
+  }
+}
+
 TEST(OfflineSmoothing, WrappedAnglesAreUndone) {
   Swing swing = test::kr5_swing();
   swing.middle[5] = 3.1;
