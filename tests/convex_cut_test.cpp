@@ -312,6 +312,27 @@ TEST(ConvexCut, WithinItsLimitsItSaysHowFarItGot) {
   for (int i = 0; i < 13; ++i) EXPECT_TRUE(in_a_piece(body, {i + 0.5, 6.5, 0.5}, 1e-6));
 }
 
+TEST(ConvexCut, HugeMeshesAreFilled) {
+  const auto torus = test::closed_grid(200, 130, [](int i, int j) {
+    const double u = 2 * test::kPi * i / 200, v = 2 * test::kPi * j / 130;
+    const double radius = 0.1 + 0.03 * std::cos(v);
+    return Eigen::Vector3d(radius * std::cos(u), radius * std::sin(u), 0.03 * std::sin(v));
+  });
+  const TemporaryFolder folder;
+  MeshOptions options;
+  options.convex_error = 0.002;
+  const auto file = folder.write("part.stl", test::binary_stl(torus));
+  const MeshBody body = load_mesh(file, {1, 1, 1}, options);
+  ASSERT_EQ(body.pieces.size(), 1U);
+  EXPECT_LT(body.pieces[0].vertices.size(), 2000U);
+  ASSERT_EQ(body.warnings.size(), 1U);
+  EXPECT_TRUE(says(body.warnings[0], "52000 triangles, more than 50000, is not cut but filled"));
+  // The hole: its middle, at the height of the rings' tops, is 0.1 from their axis.
+  const double farthest = std::hypot(0.1, 0.03) - 0.03;
+  EXPECT_GE(*body.error, farthest - 1e-4);
+  EXPECT_LE(*body.error, 1.6 * farthest);
+}
+
 TEST(ConvexCut, UnusableErrorIsRefused) {
   const Triangles cube = Cubes({{0, 0, 0}}).surface();
   for (const double error : {0.0, -1.0, std::nan(""), 1.0 / 0.0}) {

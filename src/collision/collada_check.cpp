@@ -12,8 +12,8 @@ namespace wristwise {
 
 namespace {
 
-constexpr const char* kWhole = "0123456789 \t\r\n";
-constexpr const char* kReal = "0123456789+-.eE \t\r\n";
+constexpr const char* kWhole = "0123456789- \t\r\n";
+constexpr const char* kReal = "0123456789+-.eENnAaIiFf \t\r\n";
 constexpr int kDeepest = 200;
 
 /// The characters that may stand in an element of numbers.
@@ -29,8 +29,6 @@ const std::map<std::string, std::vector<const char*>> kAttributes = {
     {"source", {"id"}},
     {"input", {"semantic", "source"}},
     {"vertices", {"id"}},
-    {"geometry", {"id"}},
-    {"visual_scene", {"id"}},
     {"triangles", {"count"}},
     {"trifans", {"count"}},
     {"tristrips", {"count"}},
