@@ -125,12 +125,13 @@ class Pipeline {
   }
 
   std::shared_ptr<const InverseKinematics> inverse_kinematics() {
-    const InverseKinematicsFound found = find_inverse_kinematics(problem_.robot);
+    const InverseKinematicsFound found =
+        find_redundant_inverse_kinematics(problem_.robot, problem_.graph.redundancy);
     result_.inverse_kinematics = found.description;
     if (!found.solver) {
       throw InvalidInput("robot " + problem_.robot->name(),
                          "no inverse kinematics: " + found.description,
-                         "a six-axis arm with a spherical wrist");
+                         "a six-axis arm with a spherical wrist, and at most three more joints");
     }
     return found.solver;
   }

@@ -80,6 +80,7 @@ Keys accepted_keys(const std::string& problem) {
   Keys keys;
   std::istringstream list(match[1]);
   for (std::string key; std::getline(list >> std::ws, key, ',');) keys.insert(key);
+  keys.erase("turn");  // a joint of the gantry, which may be sampled
   return keys;
 }
 
@@ -129,6 +130,7 @@ TEST(ProblemSchema, HasTheKeysThatAreRead) {
   }
 }
 
+// Closed, or by names of joints with values of one kind.
 TEST(ProblemSchema, EveryMapOfItIsClosed) {
   const Json flat = schema().flatten();
   std::size_t maps = 0;
@@ -136,8 +138,9 @@ TEST(ProblemSchema, EveryMapOfItIsClosed) {
     const std::size_t end = pointer.rfind("/type");
     if (end == std::string::npos || end + 5 != pointer.size() || value != "object") continue;
     ++maps;
-    EXPECT_EQ(flat.value(pointer.substr(0, end) + "/additionalProperties", Json(true)), false)
-        << pointer;
+    const std::string others = pointer.substr(0, end) + "/additionalProperties";
+    const bool of_joints = flat.contains(others + "/$ref") || flat.contains(others + "/type");
+    EXPECT_TRUE(of_joints || flat.value(others, Json(true)) == false) << pointer;
   }
   EXPECT_GE(maps, places().size());
 }

@@ -266,6 +266,13 @@ TEST_F(Description, EachOfSeveralChainsCanBeChosen) {
   EXPECT_EQ(load_robot(source_).joint_count(), 7);
 }
 
+TEST_F(Description, TheChainThatIsChosenHasNoMimicJoint) {
+  const Robot robot =
+      load(replaced(kUrdf, "name=\"grip\" type=\"prismatic\"", "name=\"grip\" type=\"fixed\""));
+  EXPECT_EQ(robot.joint_count(), 6);
+  EXPECT_NE(robot.tip_link(), "finger_right");
+}
+
 TEST_F(Description, VisualShapesAreWarnedOfAndTakenOnRequest) {
   source_.tip_link = "tool0";
   const Robot without = load_robot(source_);

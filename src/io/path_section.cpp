@@ -37,7 +37,7 @@ SeamDescription read_description(const ConfigReader& reader, const ToleranceBox&
 }  // namespace
 
 Task read_task(const ConfigReader& reader, const Robot& robot) {
-  reader.expect_keys({"frame", "speed", "speed_policy", "spacing", "waypoints", "segments",
+  reader.expect_keys({"link", "frame", "speed", "speed_policy", "spacing", "waypoints", "segments",
                       "corners", "run_in", "run_out", "tolerance"});
   const auto tolerance_key = reader.find("tolerance");
   const ToleranceBox tolerance =

@@ -14,6 +14,12 @@ double read_controller_period(const ConfigReader& reader) {
   return period ? period->positive(Quantity::time) : Problem().controller_period;
 }
 
+/// That carries the part; empty: the base link.
+std::string read_part_link(const ConfigReader& path) {
+  const auto link = path.find("link");
+  return link ? link->text() : std::string();
+}
+
 }  // namespace
 
 Problem load_problem(const std::filesystem::path& file, const LoadOptions& options) {
@@ -23,16 +29,17 @@ Problem load_problem(const std::filesystem::path& file, const LoadOptions& optio
 
   Problem problem;
   problem.name = file.stem().string();
+  const ConfigReader path = reader.at("path");
   std::filesystem::path cache;
   if (options.mesh_cache) cache = file.parent_path() / kCacheFolder;
-  RobotSection robot = read_robot(reader.at("robot"), cache);
+  RobotSection robot = read_robot(reader.at("robot"), read_part_link(path), cache);
   problem.robot = std::move(robot.robot);
   problem.scene = read_scene(reader.find("scene"), *problem.robot, robot.packages, cache);
   if (robot.disabled) {
     problem.scene.disabled = std::move(*robot.disabled);
     problem.scene.find_permanent_contacts = false;
   }
-  problem.task = read_task(reader.at("path"), *problem.robot);
+  problem.task = read_task(path, *problem.robot);
   if (const auto cost = reader.find("cost")) problem.cost = read_cost(*cost, *problem.robot);
   if (const auto graph = reader.find("graph")) problem.graph = read_graph(*graph, *problem.robot);
   if (const auto refine = reader.find("refine")) problem.refine = read_refine(*refine);

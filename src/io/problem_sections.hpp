@@ -28,8 +28,10 @@ struct RobotSection {
   Packages packages;
   std::optional<std::vector<Scene::Names>> disabled;  ///< given where there is an SRDF
 };
+/// @param part_link carries the part; empty: the base link
 /// @param mesh_cache folder; empty: none
-RobotSection read_robot(const ConfigReader& reader, const std::filesystem::path& mesh_cache);
+RobotSection read_robot(const ConfigReader& reader, const std::string& part_link,
+                        const std::filesystem::path& mesh_cache);
 
 /// How far the pieces of a concave mesh may reach beyond it; nullopt for `off`.
 std::optional<double> read_convex_error(const ConfigReader& reader);

@@ -1,8 +1,45 @@
+#include <fmt/format.h>
+
 #include "io/problem_sections.hpp"
 #include "kinematics/urdf_collision.hpp"
 #include "wristwise/urdf.hpp"
 
 namespace wristwise {
+
+namespace {
+
+/// A value holds the joint; a list is a range inside its limits.
+void read_joint_range(const ConfigReader& reader, Quantity quantity, Joint& joint) {
+  double lower = 0, upper = 0;
+  if (reader.is_list()) {
+    const auto bounds = reader.items(2, "[lower, upper]");
+    lower = bounds[0].quantity(quantity);
+    upper = bounds[1].quantity(quantity);
+  } else {
+    lower = upper = reader.quantity(quantity);
+  }
+  if (lower > upper) reader.fail("the lower end is above the upper", "[lower, upper]");
+  if (lower < joint.lower || upper > joint.upper)
+    reader.fail(
+        fmt::format("it leaves the joint's limits {:.6g} to {:.6g}", joint.lower, joint.upper),
+        "a range inside them");
+  joint.lower = lower;
+  joint.upper = upper;
+  if (joint.type == JointType::continuous) joint.type = JointType::revolute;
+}
+
+Robot with_joint_ranges(const Robot& robot, const ConfigReader& reader) {
+  Robot::Parts parts = robot.parts();
+  std::vector<std::string> names;
+  for (const Joint& joint : parts.joints) names.push_back(joint.name);
+  reader.expect_keys(names);
+  for (std::size_t j = 0; j < parts.joints.size(); ++j)
+    if (const auto range = reader.find(names[j]))
+      read_joint_range(*range, joint_quantity(robot, j), parts.joints[j]);
+  return Robot(std::move(parts));
+}
+
+}  // namespace
 
 std::filesystem::path find_file(const ConfigReader& reader, const Packages& packages) {
   const std::string uri = reader.text();
@@ -15,9 +52,10 @@ std::optional<double> read_convex_error(const ConfigReader& reader) {
   return reader.positive(Quantity::length);
 }
 
-RobotSection read_robot(const ConfigReader& reader, const std::filesystem::path& mesh_cache) {
-  reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "srdf", "group",
-                      "packages", "collision_from", "convex_error"});
+RobotSection read_robot(const ConfigReader& reader, const std::string& part_link,
+                        const std::filesystem::path& mesh_cache) {
+  reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "joint_ranges", "srdf",
+                      "group", "packages", "collision_from", "convex_error"});
   RobotSource source;
   if (const auto packages = reader.find("packages"))
     for (const ConfigReader& folder : packages->items())
@@ -25,6 +63,7 @@ RobotSection read_robot(const ConfigReader& reader, const std::filesystem::path&
   source.urdf = find_file(reader.at("urdf"), source.packages);
   if (const auto base = reader.find("base_link")) source.base_link = base->text();
   if (const auto tip = reader.find("tip_link")) source.tip_link = tip->text();
+  source.part_link = part_link;
   if (const auto tool = reader.find("tool")) source.tool = read_pose(*tool);
   if (const auto limits = reader.find("limits"))
     source.limits = find_file(*limits, source.packages);
@@ -41,7 +80,9 @@ RobotSection read_robot(const ConfigReader& reader, const std::filesystem::path&
 
   RobotSection section;
   section.packages = source.packages;
-  section.robot = std::make_shared<const Robot>(load_robot(source));
+  Robot robot = load_robot(source);
+  if (const auto ranges = reader.find("joint_ranges")) robot = with_joint_ranges(robot, *ranges);
+  section.robot = std::make_shared<const Robot>(std::move(robot));
   if (!source.srdf.empty())
     section.disabled = load_disabled_collisions(source.srdf, *section.robot);
   return section;
