@@ -132,6 +132,13 @@ TEST(Graded, IsFineAtTheCentresAndNoFinerElsewhere) {
   EXPECT_LT(breakpoints.size(), 60U);
 }
 
+TEST(MovedTo, TakesTheNearestTimesOnce) {
+  const std::vector<double> times = {0, 1, 2, 3.5, 5};
+  EXPECT_EQ(moved_to(times, {0, 0.2, 0.4, 0.9, 1.2, 3, 5}), (std::vector<double>{0, 1, 3.5, 5}));
+  EXPECT_EQ(moved_to(times, times), times);
+  EXPECT_EQ(moved_to(times, {-1, 6}), (std::vector<double>{0, 5}));
+}
+
 TEST(SplitInHalves, SplitsWhereItIsAsked) {
   const std::vector<double> breakpoints = {0, 1, 2, 4};
   EXPECT_EQ(split_in_halves(breakpoints, {}, 0), breakpoints);

@@ -121,6 +121,19 @@ std::vector<double> graded(const std::vector<double>& breakpoints,
   return {kept.begin(), kept.end()};
 }
 
+std::vector<double> moved_to(const std::vector<double>& times,
+                             const std::vector<double>& breakpoints) {
+  std::vector<double> result;
+  for (const double t : breakpoints) {
+    const auto after = std::lower_bound(times.begin(), times.end(), t);
+    const bool before_is_nearer =
+        after == times.end() || (after != times.begin() && t - *std::prev(after) < *after - t);
+    const double nearest = before_is_nearer ? *std::prev(after) : *after;
+    if (result.empty() || result.back() < nearest) result.push_back(nearest);
+  }
+  return result;
+}
+
 std::vector<double> every_nth(const std::vector<double>& breakpoints, std::size_t n,
                               const SeamTurning& turning, double turn) {
   std::vector<double> places(breakpoints.size());

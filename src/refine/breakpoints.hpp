@@ -25,6 +25,10 @@ std::vector<double> with_long_spans_cut(const std::vector<double>& breakpoints, 
 std::vector<double> graded(const std::vector<double>& breakpoints,
                            const std::vector<SeamFeature>& features);
 
+/// Each moved to the nearest of `times` (ascending), once.
+std::vector<double> moved_to(const std::vector<double>& times,
+                             const std::vector<double>& breakpoints);
+
 /// About every n-th of them, more about turns of the seam, as above; the first and the last are
 /// kept.
 std::vector<double> every_nth(const std::vector<double>& breakpoints, std::size_t n,

@@ -121,8 +121,8 @@ class Attempt {
     return levels;
   }
 
-  /// At waypoints, which are then the rows of the result. A seam with features needs knots, and so
-  /// rows, between them.
+  /// At waypoints, which are then the rows of the result. A seam with stops, rounded corners or
+  /// runs needs knots, and so rows, between them.
   std::vector<double> finest_level(const std::vector<double>& times) const {
     const std::vector<double> breakpoints =
         input_.options.knot_spacing > 0
@@ -130,6 +130,10 @@ class Attempt {
             : choose_breakpoints(times, spacing(), turning_, kTurnOfASpan);
     const std::vector<SeamFeature> features = seam_features(input_.task, spacing());
     if (features.empty()) return breakpoints;
+    const bool at_waypoints =
+        std::none_of(features.begin(), features.end(),
+                     [](const SeamFeature& feature) { return feature.off_waypoint; });
+    if (at_waypoints) return moved_to(times, graded(breakpoints, features));
     const double longest = std::max(spacing(), duration_ / kMostSpans);
     return graded(with_long_spans_cut(breakpoints, longest), features);
   }

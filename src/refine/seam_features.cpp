@@ -65,7 +65,7 @@ void add_jumps_of_acceleration(const Task& task, double spacing,
     const double jump = std::pow(task.seam.speed_ratio(t), 2) *
                         (acceleration(pieces[i + 1], false) - acceleration(pieces[i], true)).norm();
     if (jump * std::pow(spacing, 2) > kJumpThatShows)
-      features.push_back({t, std::max(std::sqrt(kJumpFollowed / jump), kFinest * spacing)});
+      features.push_back({t, std::max(std::sqrt(kJumpFollowed / jump), kFinest * spacing), false});
   }
 }
 
