@@ -219,6 +219,10 @@ TEST_F(LoadMesh, UnusableFilesAreNamed) {
   expect_invalid("letters.dae", test::replaced(dae, "0 2 1 0", "0 2 x 0"), "<p> holds something");
   expect_invalid("no_count.dae", test::replaced(dae, "id=\"a\" count=\"24\"", "id=\"a\""),
                  "<float_array> has no count");
+  expect_invalid("count.dae", test::replaced(dae, "count=\"24\"", "count=\"30\""),
+                 "fewer numbers than its count");
+  expect_invalid("wants.dae", test::replaced(dae, "count=\"8\"", "count=\"9\""),
+                 "<accessor> wants more numbers");
 }
 
 TEST_F(LoadMesh, DamagedFilesNeverCrash) {
