@@ -21,24 +21,12 @@ using test::replaced;
 using test::says;
 using test::TemporaryFolder;
 
-/// A box of 0.1 x 0.1 x 0.1, and one shifted by 1 in x, as two components of one OBJ, in mm.
-const char* const kObj = R"(mtllib missing.mtl
-o housing
-v 0 0 0
-v 100 0 0
-v 100 100 0
-v 0 100 0
-v 0 0 100
-v 100 0 100
-v 100 100 100
-v 0 100 100
-f 4 3 2 1
-f 5 6 7 8
-f 1 2 6 5
-f 2 3 7 6
-f 3 4 8 7
-f 4 1 5 8
-)";
+/// A cube of 100 mm, in mm.
+const char* const kObj =
+    "mtllib missing.mtl\no housing\n"
+    "v 0 0 0\nv 100 0 0\nv 100 100 0\nv 0 100 0\n"
+    "v 0 0 100\nv 100 0 100\nv 100 100 100\nv 0 100 100\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 // An arm of the usual kind: six joints, a tool0 and a base frame at the end of fixed joints, a
 // two-finger gripper with a mimic joint, a second arm of two joints beside it.
