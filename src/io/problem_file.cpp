@@ -22,12 +22,14 @@ std::string read_part_link(const ConfigReader& path) {
 
 }  // namespace
 
-Problem load_problem(const std::filesystem::path& file, const LoadOptions& options) {
+ProblemSections read_problem(const std::filesystem::path& file, const LoadOptions& options) {
   const ConfigNode root = read_yaml(file);
   const ConfigReader reader(root, file);
-  reader.expect_keys({"robot", "scene", "path", "cost", "graph", "refine", "controller"});
+  reader.expect_keys(
+      {"robot", "scene", "path", "cost", "graph", "refine", "controller", "placement"});
 
-  Problem problem;
+  ProblemSections sections;
+  Problem& problem = sections.problem;
   problem.name = file.stem().string();
   const ConfigReader path = reader.at("path");
   std::filesystem::path cache;
@@ -39,13 +41,34 @@ Problem load_problem(const std::filesystem::path& file, const LoadOptions& optio
     problem.scene.disabled = std::move(*robot.disabled);
     problem.scene.find_permanent_contacts = false;
   }
-  problem.task = read_task(path, *problem.robot);
+  sections.path = read_path(path, *problem.robot);
+  problem.task = task_after(Pose::Identity(), sections.path, *problem.robot);
   if (const auto cost = reader.find("cost")) problem.cost = read_cost(*cost, *problem.robot);
   if (const auto graph = reader.find("graph")) problem.graph = read_graph(*graph, *problem.robot);
   if (const auto refine = reader.find("refine")) problem.refine = read_refine(*refine);
   if (const auto controller = reader.find("controller"))
     problem.controller_period = read_controller_period(*controller);
-  return problem;
+  if (const auto placement = reader.find("placement"))
+    sections.placement = read_placement(*placement, problem.scene);
+  return sections;
+}
+
+Problem load_problem(const std::filesystem::path& file, const LoadOptions& options) {
+  return read_problem(file, options).problem;
+}
+
+PlacementRequest load_placement(const std::filesystem::path& file, const LoadOptions& options) {
+  ProblemSections sections = read_problem(file, options);
+  if (!sections.placement)
+    throw InvalidInput(file.string(), "the section 'placement' is missing",
+                       "placement: {move: part, with: all, x: 0.1, y: 0.1} or the like");
+  PlacementRequest request;
+  request.part_frame = sections.path.part;
+  request.options = std::move(*sections.placement);
+  request.task_after = [path = std::move(sections.path), robot = sections.problem.robot](
+                           const Pose& motion) { return task_after(motion, path, *robot); };
+  request.problem = std::move(sections.problem);
+  return request;
 }
 
 }  // namespace wristwise
