@@ -4,6 +4,8 @@
 
 #include "invalid_input.hpp"
 #include "temporary_folder.hpp"
+#include "wristwise/kinematics.hpp"
+#include "wristwise/placement.hpp"
 #include "wristwise/problem.hpp"
 
 namespace wristwise {
@@ -36,7 +38,7 @@ constexpr const char* kUrdf = R"(<?xml version="1.0"?>
 constexpr const char* kProblem = R"(robot:
   urdf: cell.urdf
   tip_link: tip
-  joint_ranges: {rail: [-1, 50 cm], turn: 30 deg, roll: [-1, 1]}
+  joint_ranges: {rail: [-1, 50 cm], turn: [0, 30 deg], roll: [-1, 1]}
 scene:
   objects:
     - {name: pipe, link: table, sphere: 0.05}
@@ -74,7 +76,7 @@ TEST_F(ExternalAxesKeys, AreRead) {
   EXPECT_EQ(joints[0].name, "turn");
   EXPECT_EQ(problem.robot->part_link(), "table");
   EXPECT_EQ(problem.robot->base_link(), "hall");
-  EXPECT_EQ(joints[0].lower, 30 * kDegree);
+  EXPECT_EQ(joints[0].lower, 0);
   EXPECT_EQ(joints[0].upper, 30 * kDegree);
   EXPECT_EQ(joints[1].lower, -1);
   EXPECT_EQ(joints[1].upper, 0.5);
@@ -89,9 +91,52 @@ TEST_F(ExternalAxesKeys, AreRead) {
   EXPECT_EQ(problem.graph.step[5], 5 * kDegree);
 }
 
+TEST_F(ExternalAxesKeys, AJointWithOneValueIsHeldThere) {
+  const Problem free = load(kProblem);
+  const Problem held = load(replaced(
+      replaced(kProblem, "turn: [0, 30 deg], roll: [-1, 1]", "turn: 20 deg, roll: [0.4, 0.4]"),
+      "turn: 10 deg, ", ""));
+  ASSERT_EQ(held.robot->joint_count(), 1);
+  EXPECT_EQ(held.robot->joints()[0].name, "rail");
+  EXPECT_EQ(held.robot->part_link(), "table");
+  JointVector all(3), one(1);
+  for (const double rail : {-0.7, 0.0, 0.4}) {
+    all << 20 * kDegree, rail, 0.4;
+    one << rail;
+    ChainPose of_all, of_one;
+    forward_kinematics(*free.robot, all, of_all);
+    forward_kinematics(*held.robot, one, of_one);
+    EXPECT_LT((of_all.tcp.matrix() - of_one.tcp.matrix()).norm(), 1e-15);
+    for (const Link& link : held.robot->links()) {
+      const Link* same = free.robot->find_link(link.name);
+      EXPECT_LT(((of_one.frame(link.joint) * link.pose).matrix() -
+                 (of_all.frame(same->joint) * same->pose).matrix())
+                    .norm(),
+                1e-15)
+          << link.name;
+    }
+  }
+  EXPECT_TRUE(says(
+      error("{rail: [-1, 50 cm], turn: [0, 30 deg], roll: [-1, 1]}", "{rail: 0, turn: 0, roll: 0}"),
+      "every joint is held"));
+}
+
+TEST_F(ExternalAxesKeys, APartThatIsMovedIsNotPlaced) {
+  const auto refusal = [&](const std::string& text) {
+    return invalid_input([&] {
+      place(load_placement(folder_.write("p.yaml", text + "placement: {move: part, x: 0.1}\n")));
+    });
+  };
+  EXPECT_TRUE(says(refusal(kProblem), "the part is on 'table'"));
+  const std::string standing =
+      replaced(replaced(replaced(kProblem, "  link: table\n", ""), "turn: [0, 30 deg], ", ""),
+               "turn: 10 deg, ", "");
+  EXPECT_TRUE(says(refusal(standing), "object 'pipe' is fixed to 'table'"));
+}
+
 TEST_F(ExternalAxesKeys, WithoutThemNothingMovesThePart) {
   const std::string plain =
-      replaced(replaced(replaced(kProblem, "  link: table\n", ""), "turn: 30 deg, ", ""),
+      replaced(replaced(replaced(kProblem, "  link: table\n", ""), "turn: [0, 30 deg], ", ""),
                "turn: 10 deg, ", "");
   const Problem problem = load(plain);
   EXPECT_EQ(problem.robot->joint_count(), 2);
@@ -107,9 +152,10 @@ TEST_F(ExternalAxesKeys, BadValuesAreRefusedWithTheirPlace) {
       {"  link: table", "  link: carriage", "cell.urdf", "joint 'rail' moves"},
       {"  link: table", "  link: []", ":10: path.link", "a text"},
       {"link: table, sphere", "link: tabel, sphere", ":7: scene.objects[0].link", "'table'"},
-      {"turn: 30 deg, roll", "trun: 30 deg, roll", "robot.joint_ranges", "'turn'"},
-      {"turn: 30 deg, roll", "turn: 30 mm, roll", "robot.joint_ranges.turn", "an angle"},
-      {"turn: 30 deg, roll", "turn: 200 deg, roll", "robot.joint_ranges.turn", "limits -3 to 3"},
+      {"turn: [0, 30 deg], roll", "trun: 30 deg, roll", "robot.joint_ranges", "'turn'"},
+      {"turn: [0, 30 deg], roll", "turn: 30 mm, roll", "robot.joint_ranges.turn", "an angle"},
+      {"turn: [0, 30 deg], roll", "turn: 200 deg, roll", "robot.joint_ranges.turn",
+       "limits -3 to 3"},
       {"[-1, 50 cm]", "[1, 50 cm]", "robot.joint_ranges.rail", "above the upper"},
       {"[-1, 50 cm]", "[1, .nan]", "robot.joint_ranges.rail", "not finite"},
       {"[-1, 50 cm]", "[1, 2, 3]", "robot.joint_ranges.rail", "[lower, upper]"},

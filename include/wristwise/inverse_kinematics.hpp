@@ -61,8 +61,7 @@ using JointSteps = std::map<std::string, double>;
 /// solves the rest; the rest is one piece of the chain, so that one solver serves all samples; as
 /// many prismatic joints, and then the first ones of the chain, are sampled. Without joints to
 /// sample it is the first solver found.
-/// @param finders the preferred ones first. Empty: closed forms; where they leave no choice,
-/// find_inverse_kinematics, for the rest where `steps` names joints, else for the whole chain
+/// @param finders the preferred ones first; empty: find_inverse_kinematics
 ///
 /// Samples of a joint: its range cut into the fewest equal intervals not longer than the step, both
 /// ends included; of one that can turn round, -pi + k 2 pi / n. Default steps are 0.1 m and 10 deg;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "io/problem_sections.hpp"
+#include "kinematics/partial_chain.hpp"
 #include "kinematics/urdf_collision.hpp"
 #include "wristwise/urdf.hpp"
 
@@ -8,7 +9,7 @@ namespace wristwise {
 
 namespace {
 
-/// A value holds the joint; a list is a range inside its limits.
+/// A value, or a range inside the joint's limits.
 void read_joint_range(const ConfigReader& reader, Quantity quantity, Joint& joint) {
   double lower = 0, upper = 0;
   if (reader.is_list()) {
@@ -28,15 +29,22 @@ void read_joint_range(const ConfigReader& reader, Quantity quantity, Joint& join
   if (joint.type == JointType::continuous) joint.type = JointType::revolute;
 }
 
+/// A joint with one value is held there, and is no joint of the chain any more.
 Robot with_joint_ranges(const Robot& robot, const ConfigReader& reader) {
   Robot::Parts parts = robot.parts();
   std::vector<std::string> names;
   for (const Joint& joint : parts.joints) names.push_back(joint.name);
   reader.expect_keys(names);
-  for (std::size_t j = 0; j < parts.joints.size(); ++j)
-    if (const auto range = reader.find(names[j]))
-      read_joint_range(*range, joint_quantity(robot, j), parts.joints[j]);
-  return Robot(std::move(parts));
+  std::vector<int> held;
+  for (std::size_t j = 0; j < parts.joints.size(); ++j) {
+    const auto range = reader.find(names[j]);
+    if (!range) continue;
+    read_joint_range(*range, joint_quantity(robot, j), parts.joints[j]);
+    if (parts.joints[j].lower == parts.joints[j].upper) held.push_back(static_cast<int>(j));
+  }
+  if (held.size() == names.size()) reader.fail("every joint is held", "one that moves");
+  const Robot narrowed(std::move(parts));
+  return held.empty() ? narrowed : with_held_joints(narrowed, held, narrowed.lower_limits());
 }
 
 }  // namespace

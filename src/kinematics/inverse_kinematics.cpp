@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "kinematics/calibrated_arm.hpp"
-#include "kinematics/closed_form.hpp"
 #include "kinematics/reversed_chain.hpp"
 #include "kinematics/spherical_wrist_fit.hpp"
 #include "wristwise/error.hpp"
@@ -66,8 +65,7 @@ class PolishedClosedForm : public InverseKinematics {
   std::string description_;
 };
 
-InverseKinematicsFound find_spherical_wrist(const std::shared_ptr<const Robot>& robot,
-                                            double misfit) {
+InverseKinematicsFound find_closed_form(std::shared_ptr<const Robot> robot, double misfit) {
   const SphericalWristFit fit = fit_spherical_wrist(*robot, std::max(misfit, kExact));
   if (!fit.arm) return {nullptr, "no closed form: " + fit.failure};
 
@@ -79,21 +77,12 @@ InverseKinematicsFound find_spherical_wrist(const std::shared_ptr<const Robot>& 
   }
   found.description += describe_misfit(fit);
   found.solver = std::make_shared<PolishedClosedForm>(
-      CalibratedArm(robot, *fit.arm, fit.position_misfit, fit.angle_misfit), found.description);
+      CalibratedArm(std::move(robot), *fit.arm, fit.position_misfit, fit.angle_misfit),
+      found.description);
   return found;
 }
 
 }  // namespace
-
-InverseKinematicsFound find_closed_form(const std::shared_ptr<const Robot>& robot, double misfit) {
-  InverseKinematicsFound found = find_spherical_wrist(robot, misfit);
-  if (found.solver) return found;
-  const auto reversed = std::make_shared<const Robot>(reversed_chain(*robot));
-  const InverseKinematicsFound of_reversed = find_spherical_wrist(reversed, misfit);
-  if (!of_reversed.solver) return found;
-  const auto solver = std::make_shared<ReversedInverseKinematics>(of_reversed.solver);
-  return {solver, solver->description()};
-}
 
 InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robot, double misfit) {
   if (!robot) throw InvalidInput("find_inverse_kinematics", "no robot");
@@ -101,7 +90,13 @@ InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robo
     throw InvalidInput("find_inverse_kinematics", "misfit is " + std::to_string(misfit),
                        "m and rad, zero or more");
   }
-  return find_closed_form(std::move(robot), misfit);
+  InverseKinematicsFound found = find_closed_form(robot, misfit);
+  if (found.solver) return found;
+  const auto reversed = std::make_shared<const Robot>(reversed_chain(*robot));
+  const InverseKinematicsFound of_reversed = find_closed_form(reversed, misfit);
+  if (!of_reversed.solver) return found;
+  const auto solver = std::make_shared<ReversedInverseKinematics>(of_reversed.solver);
+  return {solver, solver->description()};
 }
 
 }  // namespace wristwise

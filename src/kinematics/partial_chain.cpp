@@ -13,23 +13,32 @@ Pose joint_transform(const Joint& joint, double position) {
 
 Robot with_held_joints(const Robot& robot, const std::vector<int>& held,
                        const JointVector& posture) {
-  Robot::Parts parts;
-  parts.name = robot.name();
-  parts.base_link = robot.base_link();
-  parts.part_link = robot.part_link();
-  parts.tip_link = robot.tip_link();
-  Pose before = Pose::Identity();
+  struct Placement {
+    int joint = -1;
+    Pose pose = Pose::Identity();
+  };
+  Robot::Parts parts = robot.parts();
+  parts.joints.clear();
+  Placement at;
+  std::vector<Placement> frames;  // of the robot's joints
   for (int j = 0; j < robot.joint_count(); ++j) {
     const Joint& joint = robot.joints()[static_cast<std::size_t>(j)];
     if (std::binary_search(held.begin(), held.end(), j)) {
-      before = before * joint_transform(joint, posture[j]);
+      at.pose = at.pose * joint_transform(joint, posture[j]);
     } else {
       parts.joints.push_back(joint);
-      parts.joints.back().origin = before * joint.origin;
-      before = Pose::Identity();
+      parts.joints.back().origin = at.pose * joint.origin;
+      at = {static_cast<int>(parts.joints.size()) - 1, Pose::Identity()};
     }
+    frames.push_back(at);
   }
-  parts.tcp = before * robot.tcp();
+  parts.tcp = at.pose * robot.tcp();
+  for (Link& link : parts.links) {
+    if (link.joint < 0) continue;
+    const Placement& frame = frames[static_cast<std::size_t>(link.joint)];
+    link.pose = frame.pose * link.pose;
+    link.joint = frame.joint;
+  }
   return Robot(std::move(parts));
 }
 

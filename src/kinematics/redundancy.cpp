@@ -5,7 +5,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "kinematics/closed_form.hpp"
 #include "kinematics/redundant_inverse_kinematics.hpp"
 #include "similar_names.hpp"
 #include "wristwise/error.hpp"
@@ -79,22 +78,8 @@ std::string refusal(const Robot& robot, int sampled) {
          std::to_string(kMostSampled) + " can be";
 }
 
-/// With the sampled joints that the earliest finder can do without.
-InverseKinematicsFound find_with(const std::shared_ptr<const Robot>& robot,
-                                 const std::vector<Joints>& sets, const JointSteps& steps,
-                                 const std::vector<InverseKinematicsFinder>& finders) {
-  InverseKinematicsFound first;
-  for (const InverseKinematicsFinder& finder : finders) {
-    for (const Joints& set : sets) {
-      InverseKinematicsFound found =
-          set.empty()
-              ? finder(robot)
-              : RedundantInverseKinematics::find(robot, sample_joints(*robot, set, steps), finder);
-      if (found.solver) return found;
-      if (first.description.empty()) first = std::move(found);
-    }
-  }
-  return first;
+InverseKinematicsFound find_closed_form(const std::shared_ptr<const Robot>& robot) {
+  return find_inverse_kinematics(robot);
 }
 
 }  // namespace
@@ -111,16 +96,19 @@ InverseKinematicsFound find_redundant_inverse_kinematics(
 
   std::vector<Joints> sets = sets_with(named, sampled, robot->joint_count());
   sort_by_preference(sets, *robot);
-  if (!finders.empty()) return find_with(robot, sets, steps, finders);
-  const auto closed_form = [](const std::shared_ptr<const Robot>& rest) {
-    return find_closed_form(rest);
-  };
-  const auto any = [](const std::shared_ptr<const Robot>& rest) {
-    return find_inverse_kinematics(rest);
-  };
-  InverseKinematicsFound found = find_with(robot, sets, steps, {closed_form});
-  if (found.solver) return found;
-  return named.empty() ? find_inverse_kinematics(robot) : find_with(robot, sets, steps, {any});
+  InverseKinematicsFound first;
+  for (const InverseKinematicsFinder& finder :
+       finders.empty() ? std::vector<InverseKinematicsFinder>{find_closed_form} : finders) {
+    for (const Joints& set : sets) {
+      InverseKinematicsFound found =
+          sampled == 0
+              ? finder(robot)
+              : RedundantInverseKinematics::find(robot, sample_joints(*robot, set, steps), finder);
+      if (found.solver) return found;
+      if (first.description.empty()) first = std::move(found);
+    }
+  }
+  return first;
 }
 
 }  // namespace wristwise

@@ -7,6 +7,17 @@
 
 namespace wristwise {
 
+namespace {
+
+std::shared_ptr<const Robot> without_links(const Robot& robot) {
+  Robot::Parts parts = robot.parts();
+  parts.links.clear();
+  parts.adjacent_links.clear();
+  return std::make_shared<const Robot>(std::move(parts));
+}
+
+}  // namespace
+
 // (F61) With the sampled joints before and behind the solved ones, the TCP is
 //   T = B(q) S(q) E(q),
 // B the product of the joints before, S that of the others, E that of the joints behind with the
@@ -38,10 +49,10 @@ InverseKinematicsFound RedundantInverseKinematics::find(const std::shared_ptr<co
   return {result, result->description_};
 }
 
-RedundantInverseKinematics::RedundantInverseKinematics(std::shared_ptr<const Robot> robot,
+RedundantInverseKinematics::RedundantInverseKinematics(const std::shared_ptr<const Robot>& robot,
                                                        std::vector<SampledJoint> sampled,
                                                        InverseKinematicsFinder finder)
-    : robot_(std::move(robot)), sampled_(std::move(sampled)), finder_(std::move(finder)) {
+    : robot_(without_links(*robot)), sampled_(std::move(sampled)), finder_(std::move(finder)) {
   first_ = JointVector::Zero(robot_->joint_count());
   for (const SampledJoint& joint : sampled_) {
     held_.push_back(joint.joint);

@@ -40,8 +40,8 @@ class RedundantInverseKinematics : public InverseKinematics {
     std::shared_ptr<const InverseKinematics> solver;
   };
 
-  RedundantInverseKinematics(std::shared_ptr<const Robot> robot, std::vector<SampledJoint> sampled,
-                             InverseKinematicsFinder finder);
+  RedundantInverseKinematics(const std::shared_ptr<const Robot>& robot,
+                             std::vector<SampledJoint> sampled, InverseKinematicsFinder finder);
 
   bool is_before(int joint) const { return joint < solved_.front(); }
   bool is_behind(int joint) const { return joint > solved_.back(); }
