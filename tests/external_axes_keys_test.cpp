@@ -124,7 +124,8 @@ TEST_F(ExternalAxesKeys, AJointWithOneValueIsHeldThere) {
 TEST_F(ExternalAxesKeys, APartThatIsMovedIsNotPlaced) {
   const auto refusal = [&](const std::string& text) {
     return invalid_input([&] {
-      place(load_placement(folder_.write("p.yaml", text + "placement: {move: part, x: 0.1}\n")));
+      place(load_placement(
+          folder_.write("p.yaml", text + "placement: {move: part, with: all, x: 0.1}\n")));
     });
   };
   EXPECT_TRUE(says(refusal(kProblem), "the part is on 'table'"));
