@@ -14,7 +14,7 @@ int run_plan(const PlanCommand& command, const Settings& settings) {
   const std::vector<ProgramFormat> formats = export_formats(command.exports);
   const bool graph_only = command.mode == mode_name(Mode::graph_only);
   const Loader load = [&] {
-    Problem problem = load_problem(command.problem);
+    Problem problem = load_problem(command.problem, load_options(settings));
     check_exports(formats, problem);
     return problem;
   };

@@ -73,9 +73,9 @@ RobotSource robot_source(const SmoothCommand& command) {
   return source;
 }
 
-SmoothingProblem load_with_problem(const SmoothCommand& command) {
+SmoothingProblem load_with_problem(const SmoothCommand& command, const Settings& settings) {
   SmoothingProblem loaded;
-  loaded.problem = load_problem(command.problem);
+  loaded.problem = load_problem(command.problem, load_options(settings));
   const Problem& problem = loaded.problem;
   loaded.path = read_joint_path(command.joints, *problem.robot, problem.exports,
                                 problem.task.seam.start_time());
@@ -106,7 +106,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
   std::vector<std::string> warnings;
   const Loader load = [&] {
     SmoothingProblem loaded =
-        with_problem ? load_with_problem(command) : load_without_problem(command);
+        with_problem ? load_with_problem(command, settings) : load_without_problem(command);
     path = std::move(loaded.path);
     warnings = std::move(loaded.warnings);
     check_exports(formats, loaded.problem);

@@ -6,6 +6,7 @@
 #include "io/path_section.hpp"
 #include "wristwise/export_options.hpp"
 #include "wristwise/inverse_kinematics.hpp"
+#include "wristwise/mesh.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/placement.hpp"
 #include "wristwise/robot.hpp"
@@ -32,14 +33,19 @@ struct RobotSection {
   std::optional<std::vector<Scene::Names>> disabled;  ///< given where there is an SRDF
 };
 /// @param part_link carries the part; empty: the base link
-RobotSection read_robot(const ConfigReader& reader, const std::string& part_link);
+/// @param mesh_cache folder; empty: none
+RobotSection read_robot(const ConfigReader& reader, const std::string& part_link,
+                        const std::filesystem::path& mesh_cache);
+
+/// How far the pieces of a concave mesh may reach beyond it; nullopt for `off`.
+std::optional<double> read_convex_error(const ConfigReader& reader);
 
 /// Of the values of a joint, by its index.
 Quantity joint_quantity(const Robot& robot, std::size_t joint);
 
 /// @param reader empty where the file has no scene
 Scene read_scene(const std::optional<ConfigReader>& reader, const Robot& robot,
-                 const Packages& packages);
+                 const Packages& packages, const std::filesystem::path& mesh_cache);
 
 CostOptions read_cost(const ConfigReader& reader, const Robot& robot);
 GraphOptions read_graph(const ConfigReader& reader, const Robot& robot);
@@ -52,7 +58,7 @@ struct ProblemSections {
   PathSection path;
   std::optional<PlacementOptions> placement;
 };
-ProblemSections read_problem(const std::filesystem::path& file);
+ProblemSections read_problem(const std::filesystem::path& file, const LoadOptions& options);
 
 ExportOptions read_export(const ConfigReader& reader, const Robot& robot);
 
