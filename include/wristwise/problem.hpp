@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "wristwise/options.hpp"
 #include "wristwise/robot.hpp"
@@ -21,6 +22,7 @@ struct Problem {
   GraphOptions graph;
   RefineOptions refine;
   double controller_period = 0.004;  ///< s, spacing of trajectory_dense.csv
+  std::vector<std::filesystem::path> files;  ///< that it was read from
 };
 
 /// Reads a problem file (docs/problem-file.md). Paths in it are relative to the file.

@@ -34,6 +34,7 @@ Problem load_problem(const std::filesystem::path& file) {
   if (const auto refine = reader.find("refine")) problem.refine = read_refine(*refine);
   if (const auto controller = reader.find("controller"))
     problem.controller_period = read_controller_period(*controller);
+  problem.files = reader.files();
   return problem;
 }
 

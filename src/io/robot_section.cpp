@@ -1,4 +1,5 @@
 #include "io/problem_sections.hpp"
+#include "kinematics/robot_files.hpp"
 #include "kinematics/urdf_collision.hpp"
 #include "wristwise/urdf.hpp"
 
@@ -7,7 +8,9 @@ namespace wristwise {
 std::filesystem::path find_file(const ConfigReader& reader, const Packages& packages) {
   const std::string uri = reader.text();
   if (uri.rfind("package://", 0) != 0) return reader.existing_file();
-  return resolve_mesh(uri, {{}, packages}, reader.where());
+  const std::filesystem::path file = resolve_mesh(uri, {{}, packages}, reader.where());
+  reader.uses_file(file);
+  return file;
 }
 
 RobotSection read_robot(const ConfigReader& reader) {
@@ -26,6 +29,7 @@ RobotSection read_robot(const ConfigReader& reader) {
   RobotSection section;
   section.packages = source.packages;
   section.robot = std::make_shared<const Robot>(load_robot(source));
+  for (const std::filesystem::path& file : robot_files(source)) reader.uses_file(file);
   if (const auto srdf = reader.find("srdf"))
     section.disabled = load_disabled_collisions(find_file(*srdf, source.packages));
   return section;
