@@ -1,0 +1,244 @@
+"""report.html in a headless Chromium, as a person uses it.
+
+report_browser_test.py PROGRAM SOURCE_FOLDER; ends with 77 where there is no browser to test with.
+"""
+
+import csv
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from urdf_kinematics import tip_position
+
+SKIPPED = 77
+PROGRAM, SOURCE = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+URDF = SOURCE / "robots/kuka_kr5_arc/kuka_kr5_arc.urdf"
+EVIL = "</script><script>window.broken=1</script><b>plate"
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.options import Options
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+except ImportError:
+    print("no selenium: skipped")
+    sys.exit(SKIPPED)
+
+BROWSER, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
+if not BROWSER or not DRIVER:
+    print("no chromium: skipped")
+    sys.exit(SKIPPED)
+
+
+def start_browser(profile):
+    options = Options()
+    options.binary_location = BROWSER
+    for flag in ["headless", "no-sandbox", "disable-quic", "no-first-run", "disable-background-networking",
+                 "disable-component-update", "disable-sync", "use-gl=angle", "use-angle=swiftshader",
+                 "enable-unsafe-swiftshader", "window-size=1400,1000", f"user-data-dir={profile}"]:
+        options.add_argument("--" + flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service(DRIVER), options=options)
+
+
+def plan(problem, folder, *more):
+    """Runs the program; its exit status."""
+    return subprocess.run([PROGRAM, *more, problem, "--out", folder, "--quiet"], stdout=subprocess.DEVNULL,
+                          timeout=300, check=False).returncode
+
+
+class Rows:
+    """trajectory.csv"""
+
+    def __init__(self, folder):
+        with open(folder / "trajectory.csv", encoding="utf-8") as file:
+            self.rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+        self.joints = json.loads((folder / "result.json").read_text())["joints"]
+
+    def tcp(self, row):
+        return tip_position(URDF, "base_link", "torch_tip", row)
+
+
+class ReportTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="wristwise_report_"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
+        cls.browser = start_browser(cls.folder / "profile")
+        cls.addClassCleanup(cls.browser.quit)
+        assert plan(SOURCE / "problems/task_c_wrist_singularity.yaml", cls.folder / "c", "plan") == 0
+        cls.c = Rows(cls.folder / "c")
+        cls.c_result = json.loads((cls.folder / "c/result.json").read_text())
+
+    def js(self, script, *values):
+        return self.browser.execute_script(script, *values)
+
+    def open(self, name):
+        """Loads a report afresh: without complaints, and without anything from elsewhere."""
+        self.browser.get(f"file://{self.folder / name / 'report.html'}")
+        errors = [entry["message"] for entry in self.browser.get_log("browser")
+                  if entry["level"] in ("SEVERE", "WARNING")]
+        # Without a graphics card reading pixels back is slow, of which Chromium warns.
+        self.assertEqual([error for error in errors if "GPU stall" not in error], [])
+        self.assertEqual(self.js("return performance.getEntriesByType('resource').length"), 0)
+
+    def open_c(self):
+        """The report of task C at its start; as it is where it is open already."""
+        if not self.browser.current_url.endswith("/c/report.html"):
+            self.open("c")
+        self.js("window.scrollTo(0, 0); wristwise.clock.playing = false; wristwise.clock.seek(wristwise.clock.start)")
+
+    def tcp(self):
+        return self.js("return wristwise.view.tcpPoint")
+
+    def assert_near(self, found, expected, tolerance):
+        self.assertEqual(len(found), len(expected))
+        for a, b in zip(found, expected):
+            self.assertAlmostEqual(a, b, delta=tolerance)
+
+    def test_is_small_and_shows_the_robot(self):
+        self.assertLess((self.folder / "c/report.html").stat().st_size, 2e6)
+        self.open("c")
+        colours = self.js("""
+            wristwise.view.draw();
+            const gl = wristwise.view.renderer.getContext();
+            const [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+            const pixels = new Uint8Array(w * h * 4);
+            gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+            const count = new Map();
+            for (let i = 0; i < pixels.length; i += 4) {
+              const key = pixels.slice(i, i + 3).join();
+              count.set(key, (count.get(key) ?? 0) + 1);
+            }
+            return {kinds: count.size, commonest: Math.max(...count.values()) / (w * h)};""")
+        self.assertGreater(colours["kinds"], 50)
+        self.assertLess(colours["commonest"], 0.95)
+
+    def test_scrubbing_moves_the_robot_along_the_trajectory(self):
+        self.open_c()
+        for row in self.c.rows[::7]:
+            self.js("""
+                const scrub = document.getElementById('scrub');
+                scrub.value = arguments[0];
+                scrub.dispatchEvent(new Event('input'));""", row["time"])
+            self.assert_near(self.tcp(), self.c.tcp(row), 1e-6)
+
+    def test_plots_hold_the_rows_and_the_limits(self):
+        self.open_c()
+        plots = self.js("""return wristwise.plots.joints.map((plot) =>
+            ({joint: plot.options.joint, derivative: plot.options.derivative, limits: plot.options.limits,
+              x: plot.plot.data[0], y: plot.plot.data.at(-1)}))""")
+        self.assertEqual(len(plots), 4 * len(self.c.joints))
+        for plot in plots:
+            if plot["derivative"] == 3:
+                continue
+            name = self.c.joints[plot["joint"]] + ["", "_velocity", "_acceleration"][plot["derivative"]]
+            drawn = {round(x, 6): y for x, y in zip(plot["x"], plot["y"]) if y is not None}
+            for row in self.c.rows:
+                self.assertAlmostEqual(drawn[round(row["time"], 6)], row[name], delta=1e-8, msg=name)
+        self.assertEqual(plots[1]["limits"][1], self.js("return wristwise.data.robot.joints[0].limits[0]"))
+
+    def test_jerk_is_the_slope_of_the_acceleration(self):
+        self.open_c()
+        x, y = self.js("return wristwise.motions[0].series(3, 3)")
+        times, name = [row["time"] for row in self.c.rows], self.c.joints[3] + "_acceleration"
+        for i in range(len(times) - 1):
+            inside = [(t, j) for t, j in zip(x, y) if times[i] <= t <= times[i + 1] + 1e-12]
+            gained = sum((b[0] - a[0]) * (a[1] + b[1]) / 2 for a, b in zip(inside, inside[1:]))
+            self.assertAlmostEqual(gained, self.c.rows[i + 1][name] - self.c.rows[i][name],
+                                   delta=1e-7 + 0.01 * max(abs(j) for _, j in inside))
+
+    def test_clearance_and_tables_are_those_of_the_result(self):
+        self.open_c()
+        check = self.c_result["verification"]
+        least = min(self.js("return wristwise.motions[0].samples.clearance.distance"))
+        self.assertAlmostEqual(least, check["clearance_m"], delta=1e-4)
+        text = self.browser.find_element(By.ID, "verdict").text
+        self.assertIn("passed", text)
+        self.assertIn(f"{check['clearance_m'] * 1e3:.4g} mm", text)
+        numbers = self.browser.find_element(By.ID, "numbers").text
+        for joint, peaks in self.c_result["peaks"].items():
+            line = next(line for line in numbers.splitlines() if line.startswith(joint))
+            shown = [float(word) for word in line.split()[1:]]
+            expected = [peaks["velocity"], peaks["acceleration"], peaks["jerk"]]
+            for a, b in zip(shown, expected):
+                self.assertAlmostEqual(a, b, delta=0.006 * abs(b))
+        sums = subprocess.run(["sha256sum", SOURCE / "problems/task_c_wrist_singularity.yaml", URDF,
+                               SOURCE / "robots/kuka_kr5_arc/joint_limits.yaml"],
+                              capture_output=True, text=True, check=True).stdout
+        for line in sums.splitlines():
+            self.assertIn(line.split()[0], numbers)
+
+    def test_a_click_in_a_plot_takes_the_robot_there(self):
+        self.open_c()
+        over = self.browser.find_element(By.CSS_SELECTOR, "#joints .grid .plot:nth-child(2) .u-over")
+        self.js("arguments[0].scrollIntoView({block: 'center'})", over)
+        before = self.tcp()
+        ActionChains(self.browser).move_to_element_with_offset(over, over.size["width"] // 4, 0).click().perform()
+        start, end = self.c.rows[0]["time"], self.c.rows[-1]["time"]
+        time = self.js("return wristwise.clock.time")
+        self.assertAlmostEqual((time - start) / (end - start), 0.75, delta=0.01)
+        after = self.tcp()
+        later = next(i for i, row in enumerate(self.c.rows) if row["time"] >= time)
+        a, b = self.c.rows[later - 1], self.c.rows[later]
+        share = (time - a["time"]) / (b["time"] - a["time"])
+        between = [(1 - share) * p + share * q for p, q in zip(self.c.tcp(a), self.c.tcp(b))]
+        self.assert_near(after, between, 1e-4)
+        self.assertGreater(max(abs(p - q) for p, q in zip(before, after)), 0.05)
+
+    def test_keys_step_and_play(self):
+        self.open_c()
+        body = self.browser.find_element(By.TAG_NAME, "body")
+        samples = self.js("return wristwise.motions[0].samples.time")
+        body.send_keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT, Keys.ARROW_LEFT)
+        self.assertAlmostEqual(self.js("return wristwise.clock.time"), samples[1], delta=1e-9)
+        body.send_keys(Keys.END)
+        self.assertAlmostEqual(self.js("return wristwise.clock.time"), samples[-1], delta=1e-9)
+        body.send_keys(Keys.HOME, Keys.SPACE)
+        self.assertTrue(self.js("return wristwise.clock.playing"))
+        moved = self.browser.execute_async_script(
+            "const done = arguments[0]; setTimeout(() => done(wristwise.clock.time), 700)")
+        self.assertGreater(moved, samples[0])
+        body.send_keys(Keys.SPACE)
+        self.assertFalse(self.js("return wristwise.clock.playing"))
+
+    def test_without_a_solution_says_why(self):
+        self.assertEqual(plan(SOURCE / "problems/task_b_jump.yaml", self.folder / "jump", "plan"), 1)
+        self.open("jump")
+        diagnosis = json.loads((self.folder / "jump/result.json").read_text())["diagnosis"][0]
+        text = self.browser.find_element(By.ID, "verdict").text
+        self.assertIn(diagnosis["detail"], text)
+        self.browser.find_element(By.CSS_SELECTOR, ".diagnosis button").click()
+        time = self.js("return wristwise.data.seam.time[arguments[0]]", diagnosis["waypoint"])
+        self.assertAlmostEqual(self.js("return wristwise.clock.time"),
+                               min(time, self.js("return wristwise.clock.end")), delta=1e-9)
+
+    def test_names_are_texts(self):
+        problem = (SOURCE / "problems/task_c_wrist_singularity.yaml").read_text()
+        problem = problem.replace("../robots", str(SOURCE / "robots")).replace("name: foot", f'name: "{EVIL}"')
+        (self.folder / "evil.yaml").write_text(problem)
+        self.assertEqual(plan(self.folder / "evil.yaml", self.folder / "evil", "plan", "--mode", "graph-only"), 0)
+        self.open("evil")
+        self.assertIsNone(self.js("return window.broken"))
+        self.assertIn(EVIL, self.browser.find_element(By.ID, "verdict").text)
+
+    def test_comparison_has_both(self):
+        self.assertEqual(plan(SOURCE / "problems/task_c_wrist_singularity.yaml", self.folder / "both", "compare"), 0)
+        self.open("both")
+        self.assertEqual(self.js("return wristwise.motions.map((motion) => motion.name)"), ["two-stage", "graph-only"])
+        graph_only = Rows(self.folder / "both/graph-only")
+        self.js("const choice = document.getElementById('shown'); choice.value = 1;"
+                "choice.dispatchEvent(new Event('change'));")
+        for row in graph_only.rows[::16]:
+            self.js("wristwise.clock.seek(arguments[0])", row["time"])
+            self.assert_near(self.tcp(), graph_only.tcp(row), 1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
