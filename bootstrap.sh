@@ -7,12 +7,11 @@ cd "$(dirname "$0")"
 
 packages=(build-essential cmake ninja-build libeigen3-dev libceres-dev libfcl-dev
   liburdfdom-dev libtinyxml-dev libassimp-dev libqhull-dev libyaml-cpp-dev nlohmann-json3-dev
-  libcli11-dev libfmt-dev zlib1g-dev)
+  libcli11-dev libfmt-dev libnlopt-cxx-dev zlib1g-dev)
 with_tests=OFF
 targets=(wristwise_app)
 if [ "${1:-}" = tests ]; then
-  packages+=(libgtest-dev libbullet-dev libbenchmark-dev libnlopt-cxx-dev
-    chromium chromium-driver python3-selenium)
+  packages+=(libgtest-dev libbullet-dev libbenchmark-dev chromium chromium-driver python3-selenium)
   with_tests=ON
   targets=(all)
 fi

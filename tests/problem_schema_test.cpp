@@ -12,6 +12,7 @@
 #include "gantry_urdf.hpp"
 #include "invalid_input.hpp"
 #include "temporary_folder.hpp"
+#include "wristwise/placement.hpp"
 #include "wristwise/problem.hpp"
 
 namespace wristwise {
@@ -63,6 +64,11 @@ std::vector<Place> places() {
       {"/properties/graph/properties/samples", "graph", with_path + "graph: {samples: word}\n"},
       {"/properties/refine", "refine", with_path + "refine: word\n"},
       {"/properties/controller", "controller", with_path + "controller: word\n"},
+      {"/properties/placement", "placement", with_path + "placement: word\n"},
+      {"/properties/placement/properties/weights", "placement",
+       with_path + "placement: {weights: word}\n"},
+      {"/properties/placement/properties/margins", "placement",
+       with_path + "placement: {margins: word}\n"},
   };
 }
 
@@ -173,6 +179,8 @@ TEST(ProblemSchema, NumbersOfItsDefaultsAreThoseOfTheHeaders) {
   EXPECT_EQ(number("cost", "joint_motion"), CostOptions().joint_motion);
   EXPECT_EQ(number("cost", "acceleration"), CostOptions().acceleration);
   EXPECT_EQ(number("cost", "jerk"), CostOptions().jerk);
+  EXPECT_EQ(number("placement", "map"), PlacementOptions().map_points);
+  EXPECT_EQ(number("placement", "seed"), PlacementOptions().seed);
 }
 
 }  // namespace

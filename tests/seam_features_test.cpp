@@ -45,6 +45,22 @@ TEST(SeamFeatures, ACornerWithoutToleranceHasSpansOfALengthStill) {
   }
 }
 
+/// 10 mm/s into a circle of radius 10 mm: the acceleration jumps by 10 mm/s^2 at its ends.
+TEST(SeamFeatures, TheEndsOfAnArcHaveShortSpans) {
+  SeamDescription description =
+      describe({line(turned_at(0, 0, 0), turned_at(0.05, 0, 0)),
+                {ArcSegment{turned_at(0.05, 0, 0), Eigen::Vector3d(0.05, 0.01, 0),
+                            Eigen::Vector3d::UnitZ(), 1.5},
+                 {},
+                 "arc"}});
+  const Task task = build_task(test::sliding_robot(), description);
+  const auto features = seam_features(task, 0.5);
+  ASSERT_EQ(features.size(), 1U);
+  EXPECT_NEAR(features.front().time, 5, 1e-9);
+  EXPECT_NEAR(features.front().finest, 0.1, 1e-3);  // 0.1 s squared times the jump is 0.1 mm
+  EXPECT_TRUE(seam_features(task, 0.1).empty());    // too short to show
+}
+
 TEST(SeamFeatures, AStraightSeamHasNone) {
   const Task task = build_task(test::sliding_robot(),
                                describe({line(turned_at(0, 0, 0), turned_at(0.05, 0, 0))}));

@@ -10,6 +10,7 @@
 #include "wristwise/mesh.hpp"
 #include "wristwise/monitor.hpp"
 #include "wristwise/options.hpp"
+#include "wristwise/placement.hpp"
 #include "wristwise/plan.hpp"
 #include "wristwise/pose.hpp"
 #include "wristwise/problem.hpp"

@@ -45,6 +45,12 @@ struct CompareCommand {
 };
 int run_compare(const CompareCommand& command, const Settings& settings);
 
+struct PlaceCommand {
+  std::filesystem::path problem;
+  std::filesystem::path out;  ///< empty: out/<problem>
+};
+int run_place(const PlaceCommand& command, const Settings& settings);
+
 struct InfoCommand {
   std::filesystem::path urdf;
   std::string base_link, tip_link;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "wristwise/plan.hpp"
+
 namespace wristwise::app {
 
 enum ExitCode : int {
@@ -9,5 +11,10 @@ enum ExitCode : int {
   kInternalError = 3,
   kInterrupted = 130,
 };
+
+constexpr ExitCode exit_code_of(Status status) {
+  if (status == Status::solved) return kSolved;
+  return status == Status::interrupted ? kInterrupted : kNotSolved;
+}
 
 }  // namespace wristwise::app

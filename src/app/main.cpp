@@ -40,6 +40,7 @@ class CommandLine {
     add_smooth();
     add_check();
     add_compare();
+    add_place();
     add_info();
   }
 
@@ -125,6 +126,14 @@ class CommandLine {
     command.callback([this] { action_ = [this] { return run_compare(compare_, settings_); }; });
   }
 
+  void add_place() {
+    CLI::App& command =
+        add_command(program_, "place", "Find where in a region the part or the robot should stand");
+    add_problem(command, place_.problem);
+    add_out(command, place_.out);
+    command.callback([this] { action_ = [this] { return run_place(place_, settings_); }; });
+  }
+
   void add_info() {
     CLI::App& command = add_command(program_, "info", "Look at a robot description");
     command.add_option("ROBOT", info_.urdf, "Robot description (URDF)")->required();
@@ -141,6 +150,7 @@ class CommandLine {
   SmoothCommand smooth_;
   CheckCommand check_;
   CompareCommand compare_;
+  PlaceCommand place_;
   InfoCommand info_;
   std::function<int()> action_;
 };

@@ -17,19 +17,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-int exit_code(Status status) {
-  switch (status) {
-    case Status::solved:
-      return kSolved;
-    case Status::interrupted:
-      return kInterrupted;
-    case Status::infeasible:
-    case Status::failed:
-      break;
-  }
-  return kNotSolved;
-}
-
 PlanResult failed_result(Mode mode, const std::string& what) {
   PlanResult result;
   result.mode = mode;
@@ -52,7 +39,7 @@ PlanningRun run_planner(const Loader& load, Mode mode, const Planner& planner,
     const double load_time = seconds_since(start);
     run.result = planner(run.problem, console.plan_options(run.problem));
     run.result.timing.load = load_time;
-    run.exit_code = exit_code(run.result.status);
+    run.exit_code = exit_code_of(run.result.status);
   } catch (const InvalidInput&) {
     throw;
   } catch (const std::exception& error) {

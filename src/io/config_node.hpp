@@ -20,4 +20,7 @@ struct ConfigNode {
 /// @throws InvalidInput with file and line: missing, no YAML, a key given twice, no map at the top.
 ConfigNode read_yaml(const std::filesystem::path& file);
 
+/// The tree as YAML, without comments; deep parts on one line each.
+std::string yaml_text(const ConfigNode& root);
+
 }  // namespace wristwise

@@ -1,19 +1,20 @@
 #include "io/path_section.hpp"
 
 #include "io/problem_sections.hpp"
+#include "task/moved_seam.hpp"
 
 namespace wristwise {
 
 namespace {
 
-void read_between(const ConfigReader& reader, Task& task) {
+void read_between(const ConfigReader& reader, PathSection& path) {
   const auto parts = reader.items(2, "[position in m, angle in rad]");
-  task.between_position = parts[0].not_negative(Quantity::length);
-  task.between_angle = parts[1].not_negative(Quantity::angle);
+  path.between_position = parts[0].not_negative(Quantity::length);
+  path.between_angle = parts[1].not_negative(Quantity::angle);
 }
 
-SeamDescription read_description(const ConfigReader& reader, const ToleranceBox& tolerance,
-                                 const Robot& robot) {
+SeamDescription read_description(const ConfigReader& reader, const Pose& part,
+                                 const ToleranceBox& tolerance, const Robot& robot) {
   SeamDescription description;
   description.where = reader.where();
   if (const auto speed = reader.find("speed")) description.speed = speed->positive(Quantity::speed);
@@ -25,8 +26,6 @@ SeamDescription read_description(const ConfigReader& reader, const ToleranceBox&
   if (const auto run_in = reader.find("run_in")) description.run_in = read_run(*run_in, "approach");
   if (const auto run_out = reader.find("run_out"))
     description.run_out = read_run(*run_out, "retract");
-  const auto frame = reader.find("frame");
-  const Pose part = frame ? read_pose(*frame) : Pose::Identity();
   const ConfigReader segments = reader.at("segments");
   for (const ConfigReader& item : segments.items())
     description.segments.push_back(read_segment(item, part, tolerance, robot));
@@ -36,18 +35,28 @@ SeamDescription read_description(const ConfigReader& reader, const ToleranceBox&
 
 }  // namespace
 
-Task read_task(const ConfigReader& reader, const Robot& robot) {
+PathSection read_path(const ConfigReader& reader, const Robot& robot) {
   reader.expect_keys({"frame", "speed", "speed_policy", "spacing", "waypoints", "segments",
                       "corners", "run_in", "run_out", "tolerance"});
+  PathSection path;
+  if (const auto frame = reader.find("frame")) path.part = read_pose(*frame);
   const auto tolerance_key = reader.find("tolerance");
   const ToleranceBox tolerance =
       tolerance_key ? read_tolerance(*tolerance_key, {"between"}) : ToleranceBox();
-  Task task = build_task(robot, read_description(reader, tolerance, robot));
+  path.seam = read_description(reader, path.part, tolerance, robot);
   if (const auto policy = reader.find("speed_policy"))
-    task.speed_policy =
+    path.speed_policy =
         policy->choice({"hold", "slow"}) == "slow" ? SpeedPolicy::slow : SpeedPolicy::hold;
-  if (!tolerance_key) return task;
-  if (const auto between = tolerance_key->find("between")) read_between(*between, task);
+  if (!tolerance_key) return path;
+  if (const auto between = tolerance_key->find("between")) read_between(*between, path);
+  return path;
+}
+
+Task task_after(const Pose& motion, const PathSection& path, const Robot& robot) {
+  Task task = build_task(robot, moved(path.seam, motion));
+  task.speed_policy = path.speed_policy;
+  task.between_position = path.between_position;
+  task.between_angle = path.between_angle;
   return task;
 }
 

@@ -5,6 +5,19 @@
 
 namespace wristwise {
 
+/// What `path` says, before it is made into a task.
+struct PathSection {
+  SeamDescription seam;
+  Pose part = Pose::Identity();  ///< of `frame`, in base
+  SpeedPolicy speed_policy = SpeedPolicy::hold;
+  double between_position = Task().between_position;  ///< m
+  double between_angle = Task().between_angle;        ///< rad
+};
+PathSection read_path(const ConfigReader& reader, const Robot& robot);
+
+/// The task, with the part moved by a motion given in the base frame.
+Task task_after(const Pose& motion, const PathSection& path, const Robot& robot);
+
 /// The tolerance box; of the keys in `others` it only knows that they exist.
 ToleranceBox read_tolerance(const ConfigReader& reader, const std::vector<std::string>& others);
 

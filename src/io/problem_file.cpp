@@ -14,12 +14,14 @@ double read_controller_period(const ConfigReader& reader) {
 
 }  // namespace
 
-Problem load_problem(const std::filesystem::path& file) {
+ProblemSections read_problem(const std::filesystem::path& file) {
   const ConfigNode root = read_yaml(file);
   const ConfigReader reader(root, file);
-  reader.expect_keys({"robot", "scene", "path", "cost", "graph", "refine", "controller"});
+  reader.expect_keys(
+      {"robot", "scene", "path", "cost", "graph", "refine", "controller", "placement"});
 
-  Problem problem;
+  ProblemSections sections;
+  Problem& problem = sections.problem;
   problem.name = file.stem().string();
   RobotSection robot = read_robot(reader.at("robot"));
   problem.robot = std::move(robot.robot);
@@ -28,14 +30,33 @@ Problem load_problem(const std::filesystem::path& file) {
     problem.scene.disabled = std::move(*robot.disabled);
     problem.scene.find_permanent_contacts = false;
   }
-  problem.task = read_task(reader.at("path"), *problem.robot);
+  sections.path = read_path(reader.at("path"), *problem.robot);
+  problem.task = task_after(Pose::Identity(), sections.path, *problem.robot);
   if (const auto cost = reader.find("cost")) problem.cost = read_cost(*cost, *problem.robot);
   if (const auto graph = reader.find("graph")) problem.graph = read_graph(*graph, *problem.robot);
   if (const auto refine = reader.find("refine")) problem.refine = read_refine(*refine);
   if (const auto controller = reader.find("controller"))
     problem.controller_period = read_controller_period(*controller);
+  if (const auto placement = reader.find("placement"))
+    sections.placement = read_placement(*placement, problem.scene);
   problem.files = reader.files();
-  return problem;
+  return sections;
+}
+
+Problem load_problem(const std::filesystem::path& file) { return read_problem(file).problem; }
+
+PlacementRequest load_placement(const std::filesystem::path& file) {
+  ProblemSections sections = read_problem(file);
+  if (!sections.placement)
+    throw InvalidInput(file.string(), "the section 'placement' is missing",
+                       "placement: {move: part, with: all, x: 0.1, y: 0.1} or the like");
+  PlacementRequest request;
+  request.part_frame = sections.path.part;
+  request.options = std::move(*sections.placement);
+  request.task_after = [path = std::move(sections.path), robot = sections.problem.robot](
+                           const Pose& motion) { return task_after(motion, path, *robot); };
+  request.problem = std::move(sections.problem);
+  return request;
 }
 
 }  // namespace wristwise

@@ -3,8 +3,9 @@
 #include <memory>
 
 #include "io/config_reader.hpp"
-#include "task/seam_builder.hpp"
+#include "io/path_section.hpp"
 #include "wristwise/options.hpp"
+#include "wristwise/placement.hpp"
 #include "wristwise/robot.hpp"
 #include "wristwise/scene.hpp"
 
@@ -36,10 +37,17 @@ Quantity joint_quantity(const Robot& robot, std::size_t joint);
 Scene read_scene(const std::optional<ConfigReader>& reader, const Robot& robot,
                  const Packages& packages);
 
-Task read_task(const ConfigReader& reader, const Robot& robot);
-
 CostOptions read_cost(const ConfigReader& reader, const Robot& robot);
 GraphOptions read_graph(const ConfigReader& reader, const Robot& robot);
 RefineOptions read_refine(const ConfigReader& reader);
+PlacementOptions read_placement(const ConfigReader& reader, const Scene& scene);
+
+/// All sections but `placement`; that has been looked at too where it is given.
+struct ProblemSections {
+  Problem problem;
+  PathSection path;
+  std::optional<PlacementOptions> placement;
+};
+ProblemSections read_problem(const std::filesystem::path& file);
 
 }  // namespace wristwise

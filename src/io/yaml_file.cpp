@@ -54,7 +54,49 @@ class Converter {
   int nodes_ = 0;
 };
 
+int height(const ConfigNode& node) {
+  int below = -1;
+  for (const ConfigNode& item : node.items) below = std::max(below, height(item));
+  for (const auto& [key, value] : node.entries) below = std::max(below, height(value));
+  return below + 1;
+}
+
+/// A leaf, or a list of leaves, or what holds little more than that.
+bool is_short(const ConfigNode& node, int depth) {
+  return height(node) <= (depth < 2 ? 1 : 2) && (depth > 0 || node.entries.empty());
+}
+
+void emit(const ConfigNode& node, int depth, YAML::Emitter& out) {
+  switch (node.kind) {
+    case ConfigNode::Kind::empty:
+      out << YAML::Null;
+      return;
+    case ConfigNode::Kind::scalar:
+      out << node.text;
+      return;
+    case ConfigNode::Kind::list:
+      out << (is_short(node, depth) ? YAML::Flow : YAML::Block) << YAML::BeginSeq;
+      for (const ConfigNode& item : node.items) emit(item, depth + 1, out);
+      out << YAML::EndSeq;
+      return;
+    case ConfigNode::Kind::map:
+      out << (is_short(node, depth) ? YAML::Flow : YAML::Block) << YAML::BeginMap;
+      for (const auto& [key, value] : node.entries) {
+        out << YAML::Key << key << YAML::Value;
+        emit(value, depth + 1, out);
+      }
+      out << YAML::EndMap;
+      return;
+  }
+}
+
 }  // namespace
+
+std::string yaml_text(const ConfigNode& root) {
+  YAML::Emitter out;
+  emit(root, 0, out);
+  return std::string(out.c_str()) + "\n";
+}
 
 ConfigNode read_yaml(const std::filesystem::path& file) {
   const std::string text = read_text(file);

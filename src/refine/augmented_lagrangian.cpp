@@ -11,11 +11,12 @@ namespace wristwise {
 
 namespace {
 
-constexpr double kGrowth = 10;           ///< of mu in a round that gains too little
-constexpr double kMuRange = 1e12;        ///< largest mu / first mu
-constexpr double kFloor = 1e-4;          ///< m and rad; places all but hold below this
-constexpr double kSoftening = 1e-3;      ///< of mu after a violation that did not give way
-constexpr double kRateShare = 0.1;       ///< first mu of rates, as a share of the objective
+constexpr double kGrowth = 10;       ///< of mu in a round that gains too little
+constexpr double kMuRange = 1e12;    ///< largest mu / first mu
+constexpr double kFloor = 1e-4;      ///< m and rad; places all but hold below this
+constexpr double kInVain = 0.9;      ///< of a violation: what a larger mu that helps can't leave
+constexpr double kSoftening = 1e-3;  ///< of mu after a violation that did not give way
+constexpr double kRateShare = 0.1;   ///< first mu of rates, as a share of the objective
 constexpr double kRateTolerance = 5e-4;  ///< of rates, half the margin they are kept by
 constexpr double kBand = 0.02;           ///< m; pairs that are nearer than this get a constraint
 constexpr double kMoves = 0.05;          ///< relative change of the objective that counts
@@ -32,14 +33,20 @@ bool AugmentedLagrangian::Group::tighten(int patience, bool moves) {
   const bool gains_little = violation > 0.5 * best_violation;
   stalled = gains_little && !moves ? stalled + 1 : 0;
   if (mu >= kMuRange * first_mu || stalled >= patience) return false;
+  if (!gains_little) useful_mu = mu;
   if (violation > 0.1 * best_violation) mu *= gains_little ? kGrowth * kGrowth : kGrowth;
   best_violation = std::min(best_violation, violation);
   return true;
 }
 
+bool AugmentedLagrangian::Group::grew_in_vain() const {
+  return mu > useful_mu && violation > kInVain * best_violation;
+}
+
 void AugmentedLagrangian::Group::restart() {
   best_violation = std::numeric_limits<double>::infinity();
   stalled = 0;
+  useful_mu = mu;
 }
 
 AugmentedLagrangian::AugmentedLagrangian(const RefinementInput& input,
@@ -61,8 +68,19 @@ void AugmentedLagrangian::restart() {
 }
 
 void AugmentedLagrangian::soften() {
-  places_.mu = std::max(places_.first_mu, kSoftening * places_.mu);
+  places_.mu = std::min(places_.useful_mu, std::max(places_.first_mu, kSoftening * places_.mu));
   for (PointConstraint& point : points_) {
+    for (PointConstraint::Row& row : point.rows) row.bounds.multiplier = 0;
+  }
+}
+
+void AugmentedLagrangian::soften(const std::vector<double>& at) {
+  places_.mu = places_.useful_mu;
+  const auto& breakpoints = spline_.basis.breakpoints();
+  for (PointConstraint& point : points_) {
+    const auto end = std::upper_bound(breakpoints.begin() + 1, breakpoints.end() - 1, point.time);
+    const auto violated = std::lower_bound(at.begin(), at.end(), *(end - 1));
+    if (violated == at.end() || *violated > *end) continue;
     for (PointConstraint::Row& row : point.rows) row.bounds.multiplier = 0;
   }
 }
@@ -82,6 +100,8 @@ void AugmentedLagrangian::use_breakpoints(std::vector<double> breakpoints) {
   singularity_points_ = singularity_points(weights_, spline_.basis);
   limits_ = limit_constraints(input_.robot, spline_.basis);
   for (PointConstraint& point : points_) point.basis = spline_.basis.at(point.time);
+  if (places_.mu > kGrowth * kGrowth * places_.useful_mu)
+    places_.mu = std::max(places_.first_mu, places_.useful_mu);  // the old knots could not follow
   rates_.mu = rates_.first_mu;  // the multipliers of the limits are lost
   restart();
 }
@@ -192,7 +212,10 @@ bool AugmentedLagrangian::tighten(const Accuracy& accuracy, double objective, bo
       rates_.first_mu = rates_.mu = kRateShare * objective;
     }
   }
-  return places_.violation <= accuracy.violation || places_.tighten(accuracy.patience, moves);
+  if (places_.violation <= accuracy.violation) return true;
+  const bool all_but_hold = places_.violation <= kFloor;
+  if ((all_but_hold || !moves) && places_.grew_in_vain()) return false;
+  return places_.tighten(accuracy.patience, moves && !all_but_hold);
 }
 
 void AugmentedLagrangian::update_multipliers() {

@@ -52,6 +52,9 @@ class AugmentedLagrangian {
   const std::vector<LimitConstraint>& limits() const { return limits_; }
   /// After constraints that could not be met: their multipliers are large and mean nothing.
   void soften();
+  /// The same where only the spans that hold one of the times `at` (s, ascending) could not follow:
+  /// back to the last mu that helped, and their multipliers start anew.
+  void soften(const std::vector<double>& at);
   /// Takes mu a step back; the multipliers stay. Rows that are outside at first are the harder to
   /// minimise over, the stiffer they are.
   void relax();
@@ -77,9 +80,11 @@ class AugmentedLagrangian {
     double violation = 0;  ///< largest, in the last round
     double best_violation = 0;
     int stalled = 0;
+    double useful_mu = 0;  ///< of the last round that lowered the violation
 
     void raise(double value);
     bool tighten(int patience, bool moves);
+    bool grew_in_vain() const;
     void restart();
   };
 

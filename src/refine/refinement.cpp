@@ -14,6 +14,7 @@
 #include "refine/collocation.hpp"
 #include "refine/dip_search.hpp"
 #include "refine/seam_features.hpp"
+#include "refine/seam_turning.hpp"
 
 namespace wristwise {
 
@@ -27,8 +28,9 @@ constexpr double kFewestSpans = 48;
 constexpr double kCoarsestSpans = 12;
 constexpr double kMostSpans = 1e5;  ///< that long spans are cut into
 constexpr std::size_t kCoarsening = 4;
-constexpr double kTurningStep = 0.04;   ///< of the smoothing time
-constexpr double kTurnOfASpan = 0.25;   ///< rad, of the seam
+constexpr double kTurningStep = 0.04;  ///< of the smoothing time
+constexpr double kTurnOfASpan = 0.25;  ///< rad, of the seam
+constexpr double kTurnOfACoarseSpan = 0.5;
 constexpr double kSmoothingSpans = 20;  ///< the seed is smoothed over the duration / this, at least
 constexpr int kPointsPerSpan = 3;
 constexpr double kBetweenShare = 0.5;  ///< of the between-tolerance, at added points
@@ -41,22 +43,6 @@ constexpr double kWorthwhile = 0.7;  ///< of a violation that more knots leave o
 constexpr int kVainSplits = 2;
 constexpr double kStray = 1e-2;  ///< m and rad, in the first round
 
-/// How far the direction of travel turns along the waypoints, rad, seen in steps of at least `step`
-/// (s): the noise of a recorded path is no turning.
-double seam_turning(const Task& task, double step) {
-  double turning = 0;
-  Eigen::Vector3d last = Eigen::Vector3d::Zero();
-  const Waypoint* from = &task.waypoints.front();
-  for (const Waypoint& waypoint : task.waypoints) {
-    if (waypoint.time < from->time + step) continue;
-    const Eigen::Vector3d travel = waypoint.frame.translation() - from->frame.translation();
-    turning += std::atan2(last.cross(travel).norm(), last.dot(travel));
-    last = travel;
-    from = &waypoint;
-  }
-  return turning;
-}
-
 /// One run from a seed: coarse curves first, then the knots that the motion needs.
 class Attempt {
  public:
@@ -64,7 +50,7 @@ class Attempt {
       : input_(input),
         stop_(stop),
         duration_(seed.times.back() - seed.times.front()),
-        turning_(seam_turning(input.task, kTurningStep * input.options.smoothing_time)),
+        turning_(input.task, kTurningStep * input.options.smoothing_time),
         weights_(
             objective_weights(input.cost, input.options.smoothing_time, input.robot.joint_count())),
         checker_(input.clearance),
@@ -77,11 +63,11 @@ class Attempt {
     lagrangian_.set_first_mu(start_share * objective);
   }
 
-  /// Minimises once, near the seam. Returns the mu that this took.
-  double start() {
+  /// Minimises once, near the seam. Returns the decade of the mu that this took.
+  long start() {
     place_points(0);
     lagrangian_.start_near(kStray, kCoarse, stop_);
-    return lagrangian_.mu();
+    return std::lround(std::log10(lagrangian_.mu()));
   }
 
   /// From there to the end.
@@ -113,33 +99,41 @@ class Attempt {
   double spacing() const {
     const RefineOptions& options = input_.options;
     if (options.knot_spacing > 0) return options.knot_spacing;
-    const double spans = std::max(kFewestSpans, turning_ / kTurnOfASpan);
-    return std::min(0.4 * options.smoothing_time, duration_ / spans);
+    return std::min(0.4 * options.smoothing_time, duration_ / kFewestSpans);
   }
 
   /// The steps of the sampling grid in a seed say nothing about the motion.
   double seed_smoothing() const {
-    const double spans = std::max(kSmoothingSpans, turning_ / kTurnOfASpan);
+    const double spans = std::max(kSmoothingSpans, turning_.total() / kTurnOfASpan);
     return std::min(0.4 * input_.options.smoothing_time, duration_ / spans);
   }
 
   /// Breakpoints from coarse to fine, each a subset of the next.
   std::vector<std::vector<double>> knot_levels(const std::vector<double>& times) const {
     std::vector<std::vector<double>> levels = {finest_level(times)};
-    const double fewest = std::max(kCoarsestSpans, turning_ / (2 * kTurnOfASpan));
-    while (static_cast<double>(levels.back().size() - 1) >= kCoarsening * fewest) {
-      levels.push_back(every_nth(levels.back(), kCoarsening));
+    while (static_cast<double>(levels.back().size() - 1) >= kCoarsening * kCoarsestSpans) {
+      std::vector<double> coarser =
+          every_nth(levels.back(), kCoarsening, turning_, kTurnOfACoarseSpan);
+      if (2 * coarser.size() > levels.back().size()) break;
+      levels.push_back(std::move(coarser));
     }
     std::reverse(levels.begin(), levels.end());
     return levels;
   }
 
-  /// At waypoints, which are then the rows of the result. A seam with features needs knots, and so
-  /// rows, between them.
+  /// At waypoints, which are then the rows of the result. A seam with stops, rounded corners or
+  /// runs needs knots, and so rows, between them.
   std::vector<double> finest_level(const std::vector<double>& times) const {
-    std::vector<double> breakpoints = choose_breakpoints(times, spacing());
+    const std::vector<double> breakpoints =
+        input_.options.knot_spacing > 0
+            ? choose_breakpoints(times, spacing())
+            : choose_breakpoints(times, spacing(), turning_, kTurnOfASpan);
     const std::vector<SeamFeature> features = seam_features(input_.task, spacing());
     if (features.empty()) return breakpoints;
+    const bool at_waypoints =
+        std::none_of(features.begin(), features.end(),
+                     [](const SeamFeature& feature) { return feature.off_waypoint; });
+    if (at_waypoints) return moved_to(times, graded(breakpoints, features));
     const double longest = std::max(spacing(), duration_ / kMostSpans);
     return graded(with_long_spans_cut(breakpoints, longest), features);
   }
@@ -180,7 +174,6 @@ class Attempt {
         vain = left > kWorthwhile * last_left ? vain + 1 : 0;
         last_left = left;
         if (vain >= kVainSplits || ++splits > kMostSplits || !split_spans()) return ending;
-        if (violation > kSmall) lagrangian_.soften();
         continue;
       }
       if (!add_points()) return ending;
@@ -196,6 +189,11 @@ class Attempt {
     if (finer.size() == breakpoints.size())
       finer = split_in_halves(breakpoints, at, kShortestSpan * spacing());
     if (finer.size() == breakpoints.size()) return false;
+    if (lagrangian_.violation() > kSmall) {
+      lagrangian_.soften();
+    } else if (lagrangian_.violation() > input_.options.constraint_tolerance) {
+      lagrangian_.soften(at);
+    }
     lagrangian_.use_breakpoints(std::move(finer));
     return true;
   }
@@ -282,7 +280,7 @@ class Attempt {
   const RefinementInput& input_;
   const Stop& stop_;
   double duration_;
-  double turning_;
+  SeamTurning turning_;
   ObjectiveWeights weights_;
   ClearanceChecker checker_;
   Collocation collocation_;
@@ -327,7 +325,7 @@ Refined refine(const RefinementInput& input, const JointPath& seed) {
   Refined best;
   int iterations = 0, evaluations = 0, rounds = 0;
   bool stopped = false;
-  std::set<double> tried;
+  std::set<long> tried;
   for (const double share : kStartShares) {
     Attempt trial(forward, seed, share, stop);
     if (!tried.insert(trial.start()).second) continue;

@@ -10,6 +10,7 @@ namespace {
 /// m, of a jump of the third derivative times the spacing cubed; a curve's error is about a
 /// hundredth of it.
 constexpr double kJumpThatShows = 2e-4;
+constexpr double kJumpFollowed = 1e-4;     ///< m, of a jump of acceleration times a span squared
 constexpr double kFinest = 0.05;           ///< of the spacing
 constexpr double kFinestAtACorner = 1e-3;  ///< of the spacing
 constexpr int kSpansOfARoundedCorner = 8;
@@ -46,6 +47,28 @@ void add_rounded_corners(const Task& task, double spacing, std::vector<SeamFeatu
   }
 }
 
+/// m/s^2, of the TCP in a piece run at weld speed, at its beginning or its end.
+Eigen::Vector3d acceleration(const SeamPiece& piece, bool at_end) {
+  constexpr double kStep = 1e-3;  // of the piece
+  const auto at = [&](int steps) -> Eigen::Vector3d {
+    return piece.frame_at(at_end ? 1 - steps * kStep : steps * kStep).translation();
+  };
+  return (at(0) - 2 * at(1) + at(2)) / std::pow(kStep * (piece.end_time - piece.start_time), 2);
+}
+
+/// Where lines and arcs meet.
+void add_jumps_of_acceleration(const Task& task, double spacing,
+                               std::vector<SeamFeature>& features) {
+  const std::vector<SeamPiece>& pieces = task.seam.pieces();
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    const double t = task.seam.real_time(pieces[i].end_time);
+    const double jump = std::pow(task.seam.speed_ratio(t), 2) *
+                        (acceleration(pieces[i + 1], false) - acceleration(pieces[i], true)).norm();
+    if (jump * std::pow(spacing, 2) > kJumpThatShows)
+      features.push_back({t, std::max(std::sqrt(kJumpFollowed / jump), kFinest * spacing), false});
+  }
+}
+
 /// Corners at full speed are left to the rows that there are: the curve may cut them inside the
 /// tolerance.
 void add_slow_corners(const Task& task, double spacing, std::vector<SeamFeature>& features) {
@@ -68,6 +91,7 @@ void add_slow_corners(const Task& task, double spacing, std::vector<SeamFeature>
 std::vector<SeamFeature> seam_features(const Task& task, double spacing) {
   std::vector<SeamFeature> features;
   add_law_knots(task, spacing, features);
+  add_jumps_of_acceleration(task, spacing, features);
   add_ends_of_welding(task, spacing, features);
   add_rounded_corners(task, spacing, features);
   add_slow_corners(task, spacing, features);

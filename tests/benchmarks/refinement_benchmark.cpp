@@ -94,6 +94,7 @@ void report(benchmark::State& state, const PlanResult& result) {
   const double per_iteration = result.timing.refine / std::max(refine.iterations, 1);
   state.counters["iterations"] = refine.iterations;
   state.counters["control_points"] = refine.control_points;
+  state.counters["verify_ms"] = 1e3 * result.timing.verify;
   state.counters["violation"] = refine.max_violation;
   state.counters["ms_per_iteration"] = 1e3 * per_iteration;
   state.counters["times_factorisation"] = per_iteration / factorisation_time(refine.control_points);
@@ -259,6 +260,7 @@ void GrowthWithLength(benchmark::State& state) {
 BENCHMARK(GrowthWithLength)
     ->Arg(100)
     ->Arg(1000)
+    ->Arg(4000)
     ->Arg(10000)
     ->UseManualTime()
     ->Iterations(1)

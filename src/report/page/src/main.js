@@ -145,6 +145,7 @@ function connectTransport() {
   $('speed').addEventListener('change', () => (clock.speed = Number($('speed').value)));
   clock.onChange((t) => {
     scrub.value = t;
+    scrub.setAttribute('aria-valuetext', `${t.toFixed(2)} s`);
     $('clock').textContent = `${t.toFixed(3)} / ${clock.end.toFixed(3)} s`;
     $('play').textContent = clock.playing ? 'Pause' : 'Play';
     $('now').textContent = data.robot ? describe(t) : '';
@@ -212,6 +213,7 @@ function connectScheme() {
 const chain = data.robot ? new Chain(data.robot) : null;
 document.documentElement.classList.toggle('dark', window.matchMedia('(prefers-color-scheme: dark)').matches);
 const view = chain ? makeView() : null;
+if (!chain) $('view').append(element('p', { class: 'message' }, 'No robot was read.'));
 fillHeader();
 fillVerdict();
 fillNumbers();

@@ -35,7 +35,6 @@ export class Plot {
     this.line = element('div', { class: 'time' });
     this.plot.over.append(this.line);
     this.#listenToClicks();
-    sync.sub(this.plot);
     if (!this.observer) {
       this.observer = new ResizeObserver(() => this.#resize());
       this.observer.observe(this.box);

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "wristwise/placement.hpp"
+
+namespace wristwise::app {
+
+/// For people: the given placement beside the one found, and what to put into the problem file.
+std::string placement_summary(const PlacementRequest& request, const PlacementResult& result,
+                              const std::filesystem::path& folder);
+
+}  // namespace wristwise::app

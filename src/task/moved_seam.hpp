@@ -1,0 +1,10 @@
+#pragma once
+
+#include "task/seam_builder.hpp"
+
+namespace wristwise {
+
+/// The seam when the part has been moved by a motion given in the base frame. Joint waypoints stay.
+SeamDescription moved(SeamDescription seam, const Pose& motion);
+
+}  // namespace wristwise
