@@ -5,6 +5,7 @@ report_browser_test.py PROGRAM SOURCE_FOLDER; ends with 77 where there is no bro
 
 import csv
 import json
+import math
 import pathlib
 import shutil
 import subprocess
@@ -51,6 +52,18 @@ def plan(problem, folder, *more):
     """Runs the program; its exit status."""
     return subprocess.run([PROGRAM, *more, problem, "--out", folder, "--quiet"], stdout=subprocess.DEVNULL,
                           timeout=300, check=False).returncode
+
+
+CRANE = """<robot name="crane">
+  <link name="floor"/><link name="bridge"/><link name="post"/><link name="arm"/><link name="hook"/>
+  <joint name="drive" type="prismatic"><parent link="floor"/><child link="bridge"/>
+    <origin xyz="0.1 0.2 0.3" rpy="0.3 -0.2 0.5"/><axis xyz="0 1 0"/><limit lower="-3" upper="3" velocity="2" effort="1"/></joint>
+  <joint name="swing" type="continuous"><parent link="bridge"/><child link="post"/>
+    <origin xyz="0 0 1" rpy="0 0.4 0"/><axis xyz="0 0 -1"/><limit velocity="3" effort="1"/></joint>
+  <joint name="reach" type="prismatic"><parent link="post"/><child link="arm"/>
+    <origin xyz="0.2 0 0"/><axis xyz="1 0 0"/><limit lower="0" upper="2" velocity="2" effort="1"/></joint>
+  <joint name="end" type="fixed"><parent link="arm"/><child link="hook"/><origin xyz="0.1 0 -0.2"/></joint>
+</robot>"""
 
 
 class Rows:
@@ -220,13 +233,39 @@ class ReportTest(unittest.TestCase):
                                min(time, self.js("return wristwise.clock.end")), delta=1e-9)
 
     def test_names_are_texts(self):
-        problem = (SOURCE / "problems/task_c_wrist_singularity.yaml").read_text()
+        problem = (SOURCE / "problems/task_c_wrist_singularity.yaml").read_text().split("placement:")[0]
         problem = problem.replace("../robots", str(SOURCE / "robots")).replace("name: foot", f'name: "{EVIL}"')
         (self.folder / "evil.yaml").write_text(problem)
         self.assertEqual(plan(self.folder / "evil.yaml", self.folder / "evil", "plan", "--mode", "graph-only"), 0)
         self.open("evil")
         self.assertIsNone(self.js("return window.broken"))
         self.assertIn(EVIL, self.browser.find_element(By.ID, "verdict").text)
+
+    def test_slides_and_robots_without_shapes(self):
+        urdf, joints = self.folder / "crane.urdf", self.folder / "joints.csv"
+        urdf.write_text(CRANE)
+        joints.write_text("time,drive,swing,reach\n" + "".join(
+            f"{t / 10},{math.sin(t / 20)},{t / 15},{1 + 0.5 * math.cos(t / 25) + 1e-4 * (t % 2)}\n" for t in range(60)))
+        self.assertEqual(subprocess.run(
+            [PROGRAM, "smooth", "--urdf", urdf, "--tip", "hook", "--joints", joints, "--keep", "1mm,1deg",
+             "--out", self.folder / "crane", "--quiet"], stdout=subprocess.DEVNULL, timeout=300, check=False).returncode, 0)
+        self.open("crane")
+        rows = Rows(self.folder / "crane")
+        for row in rows.rows[::9]:
+            self.js("wristwise.clock.seek(arguments[0])", row["time"])
+            self.assert_near(self.tcp(), tip_position(urdf, "floor", "hook", row), 1e-6)
+        self.assertTrue(self.js("return wristwise.view.bones.visible"))
+        # Where another link stands still, as beside a positioner, the picture does not move with the chain's first.
+        placed = self.js("""
+            const {chain, view, clock, motions} = wristwise;
+            const pose = chain.standing.pose.clone().makeTranslation(1, 2, 3);
+            chain.standing = {joint: 1, pose};
+            clock.seek(3);
+            const {frames} = chain.at(motions[0].posture(3));
+            return view.world.matrix.clone().multiply(frames[1]).multiply(pose).elements;""")
+        self.assert_near(placed, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], 1e-9)
+        self.assertIn("no limit", self.browser.find_element(By.ID, "joints").text)
+        self.assertIn("m/s\u00b2", self.browser.find_element(By.ID, "joints").text)
 
     def test_comparison_has_both(self):
         self.assertEqual(plan(SOURCE / "problems/task_c_wrist_singularity.yaml", self.folder / "both", "compare"), 0)

@@ -134,6 +134,20 @@ TEST(Report, InfiniteLimitsAreNull) {
   EXPECT_EQ(joints[1]["upper"], gantry::kReach);
 }
 
+TEST(Report, SaysWhichLinkStandsStill) {
+  const auto standing = [](const std::string& base_link) {
+    Problem problem = problem_over_a_floor();
+    Robot::Parts parts = gantry::parts(kBall);
+    parts.base_link = base_link;
+    parts.links[0].pose.translation().x() = 0.25;
+    problem.robot = gantry::robot(parts);
+    return data_of(problem, {})["robot"]["standing"];
+  };
+  EXPECT_EQ(standing("floor"),
+            Json({{"joint", -1}, {"pose", {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}}}));
+  EXPECT_EQ(standing("ball"), Json({{"joint", 3}, {"pose", {0.25, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}}}));
+}
+
 TEST(Report, NamesCannotEndTheScript) {
   const Problem problem = problem_over_a_floor();
   const PlanResult result = solved(problem, 0);

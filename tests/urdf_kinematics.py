@@ -35,7 +35,7 @@ def origin(element):
 
 
 def tip_position(urdf, base, tip, posture):
-    """The position of a link for joint values by name; revolute and fixed joints."""
+    """The position of a link for joint values (rad, m) by name."""
     joints = {joint.find("child").get("link"): joint
               for joint in ElementTree.parse(urdf).getroot().findall("joint")}
     pose = shift(0, 0, 0)
@@ -44,7 +44,9 @@ def tip_position(urdf, base, tip, posture):
         motion = origin(joint.find("origin"))
         if joint.get("type") != "fixed":
             axis = vector(joint.find("axis"), "xyz", [1, 0, 0])
-            motion = product(motion, turn(axis, posture[joint.get("name")]))
+            value = posture[joint.get("name")]
+            slides = joint.get("type") == "prismatic"
+            motion = product(motion, shift(*(value * x for x in axis)) if slides else turn(axis, value))
         pose = product(motion, pose)
         tip = joint.find("parent").get("link")
     return [pose[i][3] for i in range(3)]

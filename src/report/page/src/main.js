@@ -49,6 +49,7 @@ function fillNumbers() {
   $('numbers').append(element('h2', {}, 'Numbers'));
   if (data.robot) {
     const results = [{ name: result.mode, peaks: result.peaks }];
+    if (result.before) results.push({ name: 'as given', peaks: result.before.peaks });
     if (data.graph_only) results.push({ name: 'graph-only', peaks: data.graph_only.peaks });
     $('numbers').append(peakTable(data.robot, results));
   }

@@ -76,7 +76,7 @@ export class Plot {
     const axis = { stroke: () => style('--quiet'), grid: { stroke: () => style('--rule'), width: 0.5 },
       ticks: { stroke: () => style('--rule'), size: 3 }, font: '11px system-ui, sans-serif' };
     return {
-      width: this.width, height: kHeight, legend: { show: false }, padding: [6, 16, 0, 0],
+      width: this.width, height: kHeight, legend: { show: false }, pxAlign: 0, padding: [6, 16, 0, 0],
       cursor: { sync: { key: sync.key, setSeries: false }, y: false, points: { show: false }, drag: { x: true, y: false, dist: 5 } },
       scales: {
         x: { time: false, range: (_, low, high) => (low === high ? [low - 1, high + 1] : [low, high]) },

@@ -2,6 +2,8 @@
 import { element } from './dom.js';
 import { degree, shown } from './units.js';
 
+const kMostActive = 12;
+
 const row = (name, cells) => element('tr', {}, element('th', { scope: 'row' }, name), cells);
 const cell = (text, tone) => element('td', { class: tone }, text ?? '-');
 const number = (text) => element('td', { class: 'number' }, text);
@@ -108,7 +110,8 @@ export function statisticsTable(result) {
     row('time', cell(Object.entries(timing).map(([stage, seconds]) => `${stage} ${shown(seconds, 3)} s`).join(', '))),
     row('contacts left out', cell(result.permanent_contacts.map((pair) => pair.join(' - ')).join('; ') || 'none')),
   ];
-  const active = refine.active.map(({ sentence }) => sentence);
+  const active = refine.active.slice(0, kMostActive).map(({ sentence }) => sentence);
+  if (refine.active.length > kMostActive) active.push(`and ${refine.active.length - kMostActive} more, in result.json`);
   return element('div', {}, element('h3', {}, 'Run'), table([], rows),
     active.length > 0 ? [element('h3', {}, 'What the motion presses against'), list(active, '')] : null);
 }
