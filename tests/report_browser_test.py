@@ -7,6 +7,7 @@ import csv
 import json
 import math
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -41,7 +42,7 @@ def start_browser(profile):
     options = Options()
     options.binary_location = BROWSER
     for flag in ["headless", "no-sandbox", "disable-quic", "no-first-run", "disable-background-networking",
-                 "disable-component-update", "disable-sync", "use-gl=angle", "use-angle=swiftshader",
+                 "disable-component-update", "disable-sync", "disable-dev-shm-usage", "use-gl=angle", "use-angle=swiftshader",
                  "enable-unsafe-swiftshader", "window-size=1400,1000", f"user-data-dir={profile}"]:
         options.add_argument("--" + flag)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
@@ -76,6 +77,13 @@ class Rows:
 
     def tcp(self, row):
         return tip_position(URDF, "base_link", "torch_tip", row)
+
+
+def joint_limits():
+    """Velocity, acceleration and jerk by joint, of the file that task C names."""
+    text = (SOURCE / "robots/kuka_kr5_arc/joint_limits.yaml").read_text()
+    return {joint: [float(re.search(f"max_{kind}: *([0-9.e+-]+)", rest)[1]) for kind in ("velocity", "acceleration", "jerk")]
+            for joint, rest in re.findall(r"^  (\w+):((?:\n    .*)*)", text, re.MULTILINE)}
 
 
 class ReportTest(unittest.TestCase):
@@ -155,7 +163,30 @@ class ReportTest(unittest.TestCase):
             drawn = {round(x, 6): y for x, y in zip(plot["x"], plot["y"]) if y is not None}
             for row in self.c.rows:
                 self.assertAlmostEqual(drawn[round(row["time"], 6)], row[name], delta=1e-8, msg=name)
-        self.assertEqual(plots[1]["limits"][1], self.js("return wristwise.data.robot.joints[0].limits[0]"))
+        limits = joint_limits()
+        for plot in plots:
+            if plot["derivative"] > 0:
+                largest = limits[self.c.joints[plot["joint"]]][plot["derivative"] - 1]
+                self.assertEqual(plot["limits"], [-largest, largest])
+
+    def test_the_worst_is_the_largest_of_the_three(self):
+        self.open_c()
+        times, worst, use, clearance, required, colours = self.js("""
+            const {samples, verification} = wristwise.motions[0];
+            return [samples.time, wristwise.severities[0].worst, samples.use, samples.clearance.distance,
+                    wristwise.data.clearance - verification.clearance_epsilon_m,
+                    [...wristwise.view.seam.geometry.attributes.instanceColorStart.array]];""")
+        limits = joint_limits()
+        for row in self.c.rows:
+            i = min(range(len(times)), key=lambda k: abs(times[k] - row["time"]))
+            speed = max(abs(row[joint + "_velocity"]) / limits[joint][0] for joint in self.c.joints)
+            tolerance = max(values[i] for values in use if values[i] is not None)
+            self.assertAlmostEqual(worst[i], max(speed, tolerance, required / clearance[i]), delta=1e-6)
+        # From orange at the ends, where the spin is at its limit, to blue in the middle.
+        red, blue = colours[0], colours[2]
+        middle = 6 * (len(times) // 2)
+        self.assertGreater(red, 2 * blue)
+        self.assertGreater(colours[middle + 2], colours[middle])
 
     def test_jerk_is_the_slope_of_the_acceleration(self):
         self.open_c()

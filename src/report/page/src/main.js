@@ -230,4 +230,4 @@ view?.fit('all');
 connectScheme();
 
 // For scripts and tests.
-window.wristwise = { data, motions, clock, view, plots, chain };
+window.wristwise = { data, motions, severities, clock, view, plots, chain };
