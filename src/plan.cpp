@@ -15,7 +15,6 @@
 #include "timing/speed_diagnosis.hpp"
 #include "timing/weld_speed.hpp"
 #include "verify/pace_check.hpp"
-#include "wristwise/error.hpp"
 
 namespace wristwise {
 
@@ -116,22 +115,18 @@ class Pipeline {
   /// Where moves are too fast at weld speed, stage 2 starts from a path at any speed: it says which
   /// speed works, or slows down.
   GraphPlan search(const Task& task, const GraphOptions& graph) {
-    const auto ik = inverse_kinematics();
-    const SamplingInput input{*problem_.robot, *ik, clearance_, problem_.cost, graph};
+    find_solver();
+    const SamplingInput input{*problem_.robot, *ik_, clearance_, problem_.cost, graph};
     const Speed speed = result_.mode == Mode::graph_only ? Speed::hold : Speed::any;
     return plan_graph(input, task, verification_.clearance_epsilon, threads_, options_.monitor,
                       result_.timing, speed);
   }
 
-  std::shared_ptr<const InverseKinematics> inverse_kinematics() {
-    const InverseKinematicsFound found = find_inverse_kinematics(problem_.robot);
-    result_.inverse_kinematics = found.description;
-    if (!found.solver) {
-      throw InvalidInput("robot " + problem_.robot->name(),
-                         "no inverse kinematics: " + found.description,
-                         "a six-axis arm with a spherical wrist");
-    }
-    return found.solver;
+  void find_solver() {
+    if (ik_) return;
+    ik_ = problem_.inverse_kinematics ? problem_.inverse_kinematics
+                                      : find_inverse_kinematics(problem_.robot).solver;
+    result_.inverse_kinematics = ik_->description();
   }
 
   /// Stage 2; where none of the seeds can be refined it tries more of them.
@@ -262,6 +257,7 @@ class Pipeline {
   const int threads_;
   VerificationOptions verification_;
   std::shared_ptr<const ClearanceModel> clearance_;
+  std::shared_ptr<const InverseKinematics> ik_;
   PlanResult result_;
 };
 

@@ -30,7 +30,7 @@ TEST(FindInverseKinematics, SaysWhichConditionFails) {
     parts.tcp = ideal->tcp();
     change(parts);
     const auto found = find_inverse_kinematics(std::make_shared<const Robot>(parts));
-    EXPECT_EQ(found.solver, nullptr) << found.description;
+    EXPECT_TRUE(found.solver && test::says(found.description, "numeric")) << found.description;
     return found.description;
   };
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX();

@@ -20,6 +20,7 @@ CostOptions uneven_cost() {
   cost.jerk = 0.3;
   cost.euler_refine = 5;
   cost.euler_eta = 3;
+  cost.position_refine = 7;
   cost.joint_weights = {1, 0.5, 2, 0.1};
   return cost;
 }
@@ -62,6 +63,7 @@ TEST(ObjectiveWeights, FollowTheFormula) {
   EXPECT_DOUBLE_EQ(weights.derivative[3], 0.3 * 0.4096);
   EXPECT_DOUBLE_EQ(weights.alpha, 5 * 9 / 0.64);
   EXPECT_DOUBLE_EQ(weights.beta, 5 / 0.64);
+  EXPECT_DOUBLE_EQ(weights.position, 7 / 0.64);
   EXPECT_EQ(weights.joint[3], 0.1);
   EXPECT_EQ(objective_weights({}, kTau, 6).joint, JointVector::Ones(6));
 }
@@ -88,7 +90,12 @@ TEST(ObjectiveTerms, OfASplineEqualDenseIntegrals) {
     const double tilt = integral(
         breakpoints, [&](double t) { return spline.evaluate(t)[3] * spline.evaluate(t)[3]; });
     EXPECT_NEAR(terms.euler, 5 * 9 / 0.64 * tilt, 1e-3 * terms.euler);
-    EXPECT_NEAR(terms.total(), terms.joint_motion + terms.acceleration + terms.jerk + terms.euler,
+    const double away = integral(breakpoints, [&](double t) {
+      return (spline.evaluate(t).head<3>() - Eigen::Vector3d(t / 2, 0, 0)).squaredNorm();
+    });
+    EXPECT_NEAR(terms.position, 7 / 0.64 * away, 1e-3 * terms.position);
+    EXPECT_NEAR(terms.total(),
+                terms.joint_motion + terms.acceleration + terms.jerk + terms.euler + terms.position,
                 1e-12 * terms.total());
   }
 }
@@ -225,22 +232,22 @@ TEST(ObjectiveTerms, PostureAndSingularityEqualADenseSum) {
   EXPECT_GT(terms.singularity, 0.01);
 }
 
-TEST(EulerPoints, AreQuadratureOfTheStretchesWithAPrescribedPath) {
+TEST(DeviationPoints, AreQuadratureOfTheStretchesWithAPrescribedPath) {
   Task task = gantry::task({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 4, 2, gantry::box(0.1, 0.1));
   std::vector<SeamPiece> pieces = task.seam.pieces();
   pieces[1].kind = SeamPiece::Kind::move;
   task.seam = Seam(pieces);
   const ObjectiveWeights weights = objective_weights(uneven_cost(), kTau, 4);
   double alpha = 0, beta = 0;
-  for (const EulerPoint& point : euler_points(weights, task, SplineBasis({0, 1, 2, 4}))) {
+  for (const DeviationPoint& point : deviation_points(weights, task, SplineBasis({0, 1, 2, 4}))) {
     EXPECT_LT(point.time, 2);
     EXPECT_NEAR(point.frame.translation().x(), point.time / 2, 1e-12);
-    alpha += point.sqrt_alpha * point.sqrt_alpha;
-    beta += point.sqrt_beta * point.sqrt_beta;
+    alpha += point.sqrt_weights[3] * point.sqrt_weights[3];
+    beta += point.sqrt_weights[4] * point.sqrt_weights[4];
   }
   EXPECT_NEAR(alpha, 2 * 5 * 9 / 0.64, 1e-9);
   EXPECT_NEAR(beta, 2 * 5 / 0.64, 1e-9);
-  EXPECT_TRUE(euler_points(objective_weights({}, kTau, 4), task, SplineBasis({0, 4})).empty());
+  EXPECT_TRUE(deviation_points(objective_weights({}, kTau, 4), task, SplineBasis({0, 4})).empty());
 }
 
 }  // namespace

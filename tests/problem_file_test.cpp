@@ -46,7 +46,7 @@ path:
     ry: [-0.1, 0.2]
     spin: free
     between: [0.2 mm, 0.2 deg]
-cost: {joint_motion: 2, acceleration: 3, jerk: 4, euler: {graph: 5, refine: 6, eta: 7}, joint_weights: [1, 2, 3]}
+cost: {joint_motion: 2, acceleration: 3, jerk: 4, euler: {graph: 5, refine: 6, eta: 7}, position: {graph: 8, refine: 9}, joint_weights: [1, 2, 3]}
 graph: {samples: {rx: 5 deg, work_angle: 0.1, rz: 10 deg, z: 1 mm}, turns: principal, planner: dense}
 refine: {smoothing_time: 1.5, knot_spacing: 200 ms, max_rounds: 7, max_iterations: 8, constraint_tolerance: 1e-8, clearance_epsilon: 0.1 mm, try_speeds: false}
 controller: {period: 8 ms}
@@ -115,6 +115,8 @@ TEST_F(ProblemFile, EveryKeyIsRead) {
   EXPECT_EQ(problem.cost.euler_graph, 5);
   EXPECT_EQ(problem.cost.euler_refine, 6);
   EXPECT_EQ(problem.cost.euler_eta, 7);
+  EXPECT_EQ(problem.cost.position_graph, 8);
+  EXPECT_EQ(problem.cost.position_refine, 9);
   EXPECT_EQ(problem.cost.joint_weights, (std::vector<double>{1, 2, 3}));
   Vector6 step;
   step << 0, 0, 0.001, 5 * kDegree, 0.1, 10 * kDegree;

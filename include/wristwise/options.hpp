@@ -24,6 +24,8 @@ struct CostOptions {
   double euler_graph = 0;        ///< rad of joint motion per rad of deviation at each vertex
   double euler_refine = 0;       ///< weight of (eta^2 alpha^2 + beta^2) / tau^2
   double euler_eta = 1;          ///< alpha's share against beta's (eq. 9)
+  double position_graph = 0;     ///< rad of joint motion per m of |x| + |y| + |z| at each vertex
+  double position_refine = 0;    ///< weight of (x^2 + y^2 + z^2) / tau^2, rad^2 / m^2
   bool squared_steps = false;    ///< stage 1: the sum of squared joint steps instead of eq. 4
   double singularity_graph = 0;  ///< rad of joint motion at each vertex that is singular; less
                                  ///< where it is farther from that: w (1 - measure)

@@ -16,6 +16,8 @@ namespace wristwise {
 struct Problem {
   std::string name;
   std::shared_ptr<const Robot> robot;
+  /// The caller's own; null: what find_inverse_kinematics finds.
+  std::shared_ptr<const InverseKinematics> inverse_kinematics;
   Scene scene;
   Task task;
   CostOptions cost;

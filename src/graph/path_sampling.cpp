@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cancelled.hpp"
+#include "graph/sample_cells.hpp"
 #include "graph/sampling_grid.hpp"
 #include "kinematics/singularity.hpp"
 #include "parallel.hpp"
@@ -17,9 +18,10 @@ namespace {
 constexpr double kTurn = 6.28318530717958647692;
 constexpr double kLimitTolerance = 1e-12;
 
-/// Eq. 9.
-double euler_cost(const CostOptions& cost, const Vector6& e) {
-  return cost.euler_graph * (cost.euler_eta * std::abs(e[3]) + std::abs(e[4]));
+/// Eq. 9, and the same for positions (F17).
+double deviation_cost(const CostOptions& cost, const Vector6& e) {
+  return cost.euler_graph * (cost.euler_eta * std::abs(e[3]) + std::abs(e[4])) +
+         cost.position_graph * e.head<3>().lpNorm<1>();
 }
 
 /// The grid of one tolerance box.
@@ -32,14 +34,15 @@ class SampleGrid {
   };
 
   SampleGrid(const ToleranceBox& box, const std::vector<Vector6>& grid, const CostOptions& cost)
-      : box_(box) {
+      : box_(box), cells_(box, grid) {
     samples_.reserve(grid.size());
     for (const Vector6& e : grid) {
-      samples_.push_back({e, pose_at_deviation(box, Pose::Identity(), e), euler_cost(cost, e)});
+      samples_.push_back({e, pose_at_deviation(box, Pose::Identity(), e), deviation_cost(cost, e)});
     }
   }
 
   const std::vector<Sample>& samples() const { return samples_; }
+  const SampleCells& cells() const { return cells_; }
 
   bool is_of(const ToleranceBox& box) const {
     return box_.frame == box.frame && box_.lower == box.lower && box_.upper == box.upper;
@@ -59,6 +62,7 @@ class SampleGrid {
 
  private:
   ToleranceBox box_;
+  SampleCells cells_;
   std::vector<Sample> samples_;
 };
 
@@ -95,8 +99,11 @@ class WaypointSampler {
   Rung sample_grid(const Waypoint& waypoint, const SampleGrid& grid, SampleCounts& counts) {
     counts.samples += grid.samples().size();
     for (const SampleGrid::Sample& sample : grid.samples()) {
-      const std::optional<Pose> tcp = grid.pose(sample, waypoint.frame);
-      if (tcp) add_sample(*tcp, sample.cost, counts);
+      if (!input_.ik.meets_every_pose()) {
+        add_near(grid.cells().sample(waypoint.frame, sample.deviation), counts);
+      } else if (const std::optional<Pose> tcp = grid.pose(sample, waypoint.frame)) {
+        add_sample(*tcp, sample.cost, counts);
+      }
     }
     return make_rung();
   }
@@ -126,13 +133,28 @@ class WaypointSampler {
 
   void add_sample(const Pose& tcp, double cost, SampleCounts& counts) {
     input_.ik.solve(tcp, branches_);
+    add_branches([cost](const JointVector&) { return cost; }, counts);
+  }
+
+  /// Of a chain that meets few poses: what it has in the part of the box about the sample.
+  void add_near(const ToleranceSample& sample, SampleCounts& counts) {
+    input_.ik.solve_near(sample, branches_);
+    const auto cost = [&](const JointVector& q) {
+      return deviation_cost(input_.cost,
+                            deviation(sample.box, sample.path_frame, tcp_pose(input_.robot, q)));
+    };
+    add_branches(cost, counts);
+  }
+
+  template <class Cost>
+  void add_branches(const Cost& cost, SampleCounts& counts) {
     if (branches_.empty()) ++counts.out_of_reach;
     for (JointVector& branch : branches_) {
       const int limiting = move_into_limits(branch);
       if (limiting >= 0) {
         ++counts.joint_limit[limiting];
       } else if (is_clear(branch, counts)) {
-        add(branch, cost);
+        add(branch, cost(branch));
       }
     }
   }
@@ -216,9 +238,9 @@ JointVector turn_periods(const Robot& robot, Turns turns) {
 double posture_cost(const SamplingInput& input, const Waypoint& waypoint, const JointVector& q) {
   const CostOptions& cost = input.cost;
   double sum = 0;
-  if (!waypoint.joints && cost.euler_graph > 0) {
+  if (!waypoint.joints && (cost.euler_graph > 0 || cost.position_graph > 0)) {
     const Pose tcp = tcp_pose(input.robot, q);
-    sum += euler_cost(cost, deviation(waypoint.tolerance, waypoint.frame, tcp));
+    sum += deviation_cost(cost, deviation(waypoint.tolerance, waypoint.frame, tcp));
   }
   if (cost.singularity_graph > 0) {
     const SingularityDistance distance(input.robot, cost.singularity_measure);

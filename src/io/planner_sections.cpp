@@ -78,8 +78,8 @@ void read_samples(const ConfigReader& reader, const Robot& robot, GraphOptions& 
 }  // namespace
 
 CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
-  reader.expect_keys({"joint_motion", "acceleration", "jerk", "euler", "joint_weights", "steps",
-                      "singularity", "posture"});
+  reader.expect_keys({"joint_motion", "acceleration", "jerk", "euler", "position", "joint_weights",
+                      "steps", "singularity", "posture"});
   CostOptions cost;
   read_weight(reader, "joint_motion", cost.joint_motion);
   read_weight(reader, "acceleration", cost.acceleration);
@@ -89,6 +89,11 @@ CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
     read_weight(*euler, "graph", cost.euler_graph);
     read_weight(*euler, "refine", cost.euler_refine);
     read_weight(*euler, "eta", cost.euler_eta);
+  }
+  if (const auto position = reader.find("position")) {
+    position->expect_keys({"graph", "refine"});
+    read_weight(*position, "graph", cost.position_graph);
+    read_weight(*position, "refine", cost.position_refine);
   }
   if (const auto steps = reader.find("steps"))
     cost.squared_steps = steps->choice({"absolute", "squared"}) == "squared";

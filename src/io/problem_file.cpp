@@ -25,6 +25,7 @@ ProblemSections read_problem(const std::filesystem::path& file) {
   problem.name = file.stem().string();
   RobotSection robot = read_robot(reader.at("robot"));
   problem.robot = std::move(robot.robot);
+  problem.inverse_kinematics = std::move(robot.inverse_kinematics);
   problem.scene = read_scene(reader.find("scene"), *problem.robot, robot.packages);
   if (robot.disabled) {
     problem.scene.disabled = std::move(*robot.disabled);

@@ -4,6 +4,7 @@
 
 #include "io/config_reader.hpp"
 #include "io/path_section.hpp"
+#include "wristwise/inverse_kinematics.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/placement.hpp"
 #include "wristwise/robot.hpp"
@@ -25,6 +26,7 @@ Eigen::Vector3d read_rpy(const ConfigReader& reader);
 
 struct RobotSection {
   std::shared_ptr<const Robot> robot;
+  std::shared_ptr<const InverseKinematics> inverse_kinematics;  ///< null: not given
   Packages packages;
   std::optional<std::vector<Scene::Names>> disabled;  ///< given where there is an SRDF
 };

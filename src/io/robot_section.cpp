@@ -1,6 +1,8 @@
 #include "io/problem_sections.hpp"
 #include "kinematics/robot_files.hpp"
 #include "kinematics/urdf_collision.hpp"
+#include "wristwise/error.hpp"
+#include "wristwise/ikfast_inverse_kinematics.hpp"
 #include "wristwise/urdf.hpp"
 
 namespace wristwise {
@@ -13,8 +15,40 @@ std::filesystem::path find_file(const ConfigReader& reader, const Packages& pack
   return file;
 }
 
+namespace {
+
+/// The free parameters of the solver: {joint: step}.
+IkFastInverseKinematics::FreeSteps read_free_steps(const ConfigReader& reader, const Robot& robot) {
+  std::vector<std::string> names;
+  for (const Joint& joint : robot.joints()) names.push_back(joint.name);
+  reader.expect_keys(names);
+  IkFastInverseKinematics::FreeSteps steps;
+  for (std::size_t j = 0; j < names.size(); ++j) {
+    if (const auto step = reader.find(names[j]))
+      steps[names[j]] = step->positive(joint_quantity(robot, j));
+  }
+  return steps;
+}
+
+std::shared_ptr<const InverseKinematics> read_ik(const ConfigReader& reader,
+                                                 const std::shared_ptr<const Robot>& robot,
+                                                 const Packages& packages) {
+  reader.expect_keys({"ikfast", "free"});
+  const ConfigReader library = reader.at("ikfast");
+  IkFastInverseKinematics::FreeSteps steps;
+  if (const auto free = reader.find("free")) steps = read_free_steps(*free, *robot);
+  const std::filesystem::path file = find_file(library, packages);
+  try {
+    return IkFastInverseKinematics::load(robot, file, steps);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(library.where(), error.what());
+  }
+}
+
+}  // namespace
+
 RobotSection read_robot(const ConfigReader& reader) {
-  reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "srdf", "packages"});
+  reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "srdf", "packages", "ik"});
   RobotSource source;
   if (const auto packages = reader.find("packages"))
     for (const ConfigReader& folder : packages->items())
@@ -30,6 +64,8 @@ RobotSection read_robot(const ConfigReader& reader) {
   section.packages = source.packages;
   section.robot = std::make_shared<const Robot>(load_robot(source));
   for (const std::filesystem::path& file : robot_files(source)) reader.uses_file(file);
+  if (const auto ik = reader.find("ik"))
+    section.inverse_kinematics = read_ik(*ik, section.robot, source.packages);
   if (const auto srdf = reader.find("srdf"))
     section.disabled = load_disabled_collisions(find_file(*srdf, source.packages));
   return section;

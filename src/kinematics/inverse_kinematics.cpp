@@ -8,6 +8,7 @@
 #include "kinematics/calibrated_arm.hpp"
 #include "kinematics/spherical_wrist_fit.hpp"
 #include "wristwise/error.hpp"
+#include "wristwise/numeric_inverse_kinematics.hpp"
 
 namespace wristwise {
 namespace {
@@ -73,7 +74,10 @@ InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robo
                        "m and rad, zero or more");
   }
   const SphericalWristFit fit = fit_spherical_wrist(*robot, std::max(misfit, kExact));
-  if (!fit.arm) return {nullptr, "no closed form: " + fit.failure};
+  if (!fit.arm) {
+    const auto solver = std::make_shared<NumericInverseKinematics>(std::move(robot));
+    return {solver, solver->description() + " (no closed form: " + fit.failure + ")"};
+  }
 
   InverseKinematicsFound found;
   found.description = describe(*fit.arm);

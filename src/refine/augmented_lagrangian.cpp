@@ -96,7 +96,7 @@ void AugmentedLagrangian::use_breakpoints(std::vector<double> breakpoints) {
   if (breakpoints.size() != spline_.basis.breakpoints().size())
     spline_ = with_breakpoints(spline_, std::move(breakpoints));
   objective_rows_ = objective_rows(weights_, spline_.basis);
-  euler_points_ = euler_points(weights_, input_.task, spline_.basis);
+  deviation_points_ = deviation_points(weights_, input_.task, spline_.basis);
   singularity_points_ = singularity_points(weights_, spline_.basis);
   limits_ = limit_constraints(input_.robot, spline_.basis);
   for (PointConstraint& point : points_) point.basis = spline_.basis.at(point.time);
@@ -161,7 +161,7 @@ bool AugmentedLagrangian::minimise_once(double function_tolerance, const Stop& s
                                  checker_,
                                  weights_,
                                  objective_rows_,
-                                 euler_points_,
+                                 deviation_points_,
                                  singularity_points_,
                                  points_,
                                  limits_,

@@ -106,7 +106,7 @@ class AugmentedLagrangian {
   std::vector<PointConstraint> points_;
   std::vector<LimitConstraint> limits_;
   std::vector<ObjectiveRow> objective_rows_;
-  std::vector<EulerPoint> euler_points_;
+  std::vector<DeviationPoint> deviation_points_;
   std::vector<SingularityPoint> singularity_points_;
   std::vector<PointValues> values_;
   double trust_region_ = 0;  ///< radius at the end of the last round

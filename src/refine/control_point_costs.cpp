@@ -99,10 +99,10 @@ class SingularityCost final : public ControlPointCost {
   const SingularityPoint& point_;
 };
 
-class EulerCost final : public ControlPointCost {
+class DeviationCost final : public ControlPointCost {
  public:
-  EulerCost(const Robot& robot, const EulerPoint& point)
-      : ControlPointCost(robot.joint_count(), SplineBasis::kLocal, 2),
+  DeviationCost(const Robot& robot, const DeviationPoint& point)
+      : ControlPointCost(robot.joint_count(), SplineBasis::kLocal, 6),
         robot_(robot),
         point_(point) {}
 
@@ -111,21 +111,19 @@ class EulerCost final : public ControlPointCost {
     ChainPose chain;
     forward_kinematics(robot_, posture(parameters, point_.basis), chain);
     const Vector6 e = deviation(point_.tolerance, point_.frame, chain.tcp);
-    residuals[0] = point_.sqrt_alpha * e[3];
-    residuals[1] = point_.sqrt_beta * e[4];
+    Eigen::Map<Vector6> residual(residuals);
+    residual = point_.sqrt_weights.cwiseProduct(e);
     if (jacobians == nullptr) return true;
     const Jacobian d_e = deviation_jacobian(point_.tolerance, point_.frame, chain.tcp,
                                             geometric_jacobian(robot_, chain));
-    Eigen::MatrixXd d_q(2, joints());
-    d_q.row(0) = point_.sqrt_alpha * d_e.row(3);
-    d_q.row(1) = point_.sqrt_beta * d_e.row(4);
+    const Eigen::MatrixXd d_q = point_.sqrt_weights.asDiagonal() * d_e;
     chain_rule(d_q, point_.basis, jacobians);
     return true;
   }
 
  private:
   const Robot& robot_;
-  const EulerPoint& point_;
+  const DeviationPoint& point_;
 };
 
 class PointCost final : public ControlPointCost {
@@ -201,8 +199,8 @@ ceres::CostFunction* singularity_cost(const Robot& robot, const SingularityPoint
   return new SingularityCost(robot, point);
 }
 
-ceres::CostFunction* euler_cost(const Robot& robot, const EulerPoint& point) {
-  return new EulerCost(robot, point);
+ceres::CostFunction* deviation_cost(const Robot& robot, const DeviationPoint& point) {
+  return new DeviationCost(robot, point);
 }
 
 ceres::CostFunction* point_cost(const Robot& robot, ClearanceChecker& checker,

@@ -19,7 +19,7 @@ ceres::CostFunction* objective_cost(const ObjectiveRow& row, const ObjectiveWeig
 ceres::CostFunction* singularity_cost(const Robot& robot, const SingularityPoint& point);
 
 /// sqrt(weight) (alpha, beta) at a quadrature point (F14).
-ceres::CostFunction* euler_cost(const Robot& robot, const EulerPoint& point);
+ceres::CostFunction* deviation_cost(const Robot& robot, const DeviationPoint& point);
 
 /// The rows of a point constraint (F16).
 ceres::CostFunction* point_cost(const Robot& robot, ClearanceChecker& checker,

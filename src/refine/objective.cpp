@@ -19,10 +19,13 @@ std::size_t interval_at(const Task& task, double t) {
   return static_cast<std::size_t>(after - waypoints.begin()) - 1;
 }
 
-double euler_density(const ObjectiveWeights& weights, const Robot& robot, const ToleranceBox& box,
-                     const Pose& frame, const JointVector& q) {
+/// The terms of the TCP's deviation, over a time `width` (s).
+void add_deviation_terms(const ObjectiveWeights& weights, const Robot& robot,
+                         const ToleranceBox& box, const Pose& frame, const JointVector& q,
+                         double width, ObjectiveTerms& terms) {
   const Vector6 e = deviation(box, frame, tcp_pose(robot, q));
-  return weights.alpha * e[3] * e[3] + weights.beta * e[4] * e[4];
+  terms.euler += width * (weights.alpha * e[3] * e[3] + weights.beta * e[4] * e[4]);
+  terms.position += width * weights.position * e.head<3>().squaredNorm();
 }
 
 double posture_density(const ObjectiveWeights& weights, const JointVector& q) {
@@ -36,10 +39,12 @@ double singularity_density(const ObjectiveWeights& weights, const Robot& robot,
   return weights.singularity * std::pow(wrist_alignment(robot, chain, nullptr), 8);
 }
 
-bool has_euler(const ObjectiveWeights& weights) { return weights.alpha > 0 || weights.beta > 0; }
+bool sees_deviation(const ObjectiveWeights& weights) {
+  return weights.alpha > 0 || weights.beta > 0 || weights.position > 0;
+}
 
 bool depends_on_posture(const ObjectiveWeights& weights) {
-  return has_euler(weights) || weights.derivative[0] > 0 || weights.singularity > 0;
+  return sees_deviation(weights) || weights.derivative[0] > 0 || weights.singularity > 0;
 }
 
 /// The terms of a posture by itself, over a time `width` (s).
@@ -68,6 +73,7 @@ ObjectiveWeights objective_weights(const CostOptions& cost, double smoothing_tim
   weights.singularity = cost.singularity_refine / (tau * tau);
   weights.beta = cost.euler_refine / (tau * tau);
   weights.alpha = weights.beta * cost.euler_eta * cost.euler_eta;
+  weights.position = cost.position_refine / (tau * tau);
   weights.joint = JointVector::Ones(joints);
   for (std::size_t j = 0; j < cost.joint_weights.size(); ++j) {
     weights.joint[static_cast<Eigen::Index>(j)] = cost.joint_weights[j];
@@ -91,10 +97,10 @@ ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& rob
     if (!depends_on_posture(weights)) continue;
     const JointVector q = spline.evaluate(point.time);
     add_posture_terms(weights, robot, q, point.weight, terms);
-    if (!has_euler(weights)) continue;
+    if (!sees_deviation(weights)) continue;
     if (const auto box = task.tolerance_between(interval_at(task, point.time))) {
-      terms.euler +=
-          point.weight * euler_density(weights, robot, *box, task.seam.frame_at(point.time), q);
+      add_deviation_terms(weights, robot, *box, task.seam.frame_at(point.time), q, point.weight,
+                          terms);
     }
   }
   set_derivative_terms(weights, integral, terms);
@@ -121,9 +127,9 @@ ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& rob
     const double width = 0.5 * (before + after);
     add_posture_terms(weights, robot, path.positions[i], width, terms);
     const Waypoint& waypoint = task.waypoints[i];
-    if (!has_euler(weights) || waypoint.joints) continue;
-    terms.euler += width * euler_density(weights, robot, waypoint.tolerance, waypoint.frame,
-                                         path.positions[i]);
+    if (!sees_deviation(weights) || waypoint.joints) continue;
+    add_deviation_terms(weights, robot, waypoint.tolerance, waypoint.frame, path.positions[i],
+                        width, terms);
   }
   set_derivative_terms(weights, integral, terms);
   return terms;
@@ -153,20 +159,21 @@ std::vector<ObjectiveRow> objective_rows(const ObjectiveWeights& weights,
   return result;
 }
 
-std::vector<EulerPoint> euler_points(const ObjectiveWeights& weights, const Task& task,
-                                     const SplineBasis& basis) {
-  std::vector<EulerPoint> points;
-  if (!has_euler(weights)) return points;
+std::vector<DeviationPoint> deviation_points(const ObjectiveWeights& weights, const Task& task,
+                                             const SplineBasis& basis) {
+  std::vector<DeviationPoint> points;
+  if (!sees_deviation(weights)) return points;
   for (const QuadraturePoint& quadrature : gauss_points(basis.breakpoints())) {
     const auto box = task.tolerance_between(interval_at(task, quadrature.time));
     if (!box) continue;
-    EulerPoint point;
+    DeviationPoint point;
     point.time = quadrature.time;
     point.basis = basis.at(quadrature.time);
     point.frame = task.seam.frame_at(quadrature.time);
     point.tolerance = *box;
-    point.sqrt_alpha = std::sqrt(quadrature.weight * weights.alpha);
-    point.sqrt_beta = std::sqrt(quadrature.weight * weights.beta);
+    point.sqrt_weights.head<3>().setConstant(std::sqrt(quadrature.weight * weights.position));
+    point.sqrt_weights[3] = std::sqrt(quadrature.weight * weights.alpha);
+    point.sqrt_weights[4] = std::sqrt(quadrature.weight * weights.beta);
     points.push_back(point);
   }
   return points;

@@ -14,11 +14,13 @@ namespace wristwise {
 /// The weights of one planning problem's objective (F14):
 ///   integral of w_v |W q'|^2 + w_a tau^2 |W q''|^2 + w_j tau^4 |W q'''|^2
 ///             + w_p / tau^2 |W (q - p)|^2 + w_s / tau^2 cos^8(wrist)
-///             + w_e (eta^2 alpha^2 + beta^2) / tau^2,    W = diag(joint weights).
+///             + w_e (eta^2 alpha^2 + beta^2) / tau^2 + w_x (x^2 + y^2 + z^2) / tau^2,
+/// W = diag(joint weights).
 struct ObjectiveWeights {
   std::array<double, 4> derivative{};  ///< of |W q^(k)|^2, k = 1 .. 3; [0]: of |W (q - p)|^2
   double alpha = 0;                    ///< of alpha^2
   double beta = 0;                     ///< of beta^2
+  double position = 0;                 ///< of x^2 + y^2 + z^2
   double singularity = 0;              ///< of cos^8 of the angle between the wrist's axes (F32)
   JointVector joint;                   ///< diagonal of W
   JointVector posture;                 ///< p; zero where there is none
@@ -28,9 +30,10 @@ ObjectiveWeights objective_weights(const CostOptions& cost, double smoothing_tim
 
 /// The integrals of the terms, weighted.
 struct ObjectiveTerms {
-  double joint_motion = 0, acceleration = 0, jerk = 0, euler = 0, posture = 0, singularity = 0;
+  double joint_motion = 0, acceleration = 0, jerk = 0, euler = 0, position = 0, posture = 0,
+         singularity = 0;
   double total() const {
-    return joint_motion + acceleration + jerk + euler + posture + singularity;
+    return joint_motion + acceleration + jerk + euler + position + posture + singularity;
   }
 };
 
@@ -54,16 +57,17 @@ struct ObjectiveRow {
 /// formed and no digits are lost to its condition.
 std::vector<ObjectiveRow> objective_rows(const ObjectiveWeights& weights, const SplineBasis& basis);
 
-/// One quadrature point of the Euler term: residuals sqrt(weight) (alpha, beta) at a time.
-struct EulerPoint {
+/// One quadrature point of the Euler and position terms: residuals sqrt(weight) times the deviation
+/// at a time.
+struct DeviationPoint {
   double time = 0;
   SplineBasis::Values basis;
   Pose frame = Pose::Identity();
   ToleranceBox tolerance;
-  double sqrt_alpha = 0, sqrt_beta = 0;
+  Vector6 sqrt_weights = Vector6::Zero();
 };
-std::vector<EulerPoint> euler_points(const ObjectiveWeights& weights, const Task& task,
-                                     const SplineBasis& basis);
+std::vector<DeviationPoint> deviation_points(const ObjectiveWeights& weights, const Task& task,
+                                             const SplineBasis& basis);
 
 /// One quadrature point of the singularity term: residual sqrt_weight * wrist_alignment^4.
 struct SingularityPoint {

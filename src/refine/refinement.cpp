@@ -254,6 +254,7 @@ class Attempt {
                         {"acceleration", initial_.acceleration, final_terms.acceleration},
                         {"jerk", initial_.jerk, final_terms.jerk},
                         {"euler", initial_.euler, final_terms.euler},
+                        {"position", initial_.position, final_terms.position},
                         {"posture", initial_.posture, final_terms.posture},
                         {"singularity", initial_.singularity, final_terms.singularity}};
     if (termination == "converged") {

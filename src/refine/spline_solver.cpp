@@ -39,8 +39,8 @@ class Batches {
     for (const ObjectiveRow& row : problem.objective_rows) {
       add(objective_cost(row, problem.weights), row.first);
     }
-    for (const EulerPoint& point : problem.euler_points) {
-      add(euler_cost(problem.robot, point), point.basis.first);
+    for (const DeviationPoint& point : problem.deviation_points) {
+      add(deviation_cost(problem.robot, point), point.basis.first);
     }
     for (const SingularityPoint& point : problem.singularity_points) {
       add(singularity_cost(problem.robot, point), point.basis.first);

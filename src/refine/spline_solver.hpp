@@ -15,7 +15,7 @@ struct AugmentedProblem {
   ClearanceChecker& checker;
   const ObjectiveWeights& weights;
   const std::vector<ObjectiveRow>& objective_rows;
-  const std::vector<EulerPoint>& euler_points;
+  const std::vector<DeviationPoint>& deviation_points;
   const std::vector<SingularityPoint>& singularity_points;
   const std::vector<PointConstraint>& points;
   const std::vector<LimitConstraint>& limits;
