@@ -100,6 +100,13 @@ class ReportTest(unittest.TestCase):
     def js(self, script, *values):
         return self.browser.execute_script(script, *values)
 
+    def write_problem(self, name, old_part, new_part):
+        """Task C, changed."""
+        problem = (SOURCE / "problems/task_c_wrist_singularity.yaml").read_text().split("placement:")[0]
+        self.assertIn(old_part, problem)
+        problem = problem.replace("../robots", str(SOURCE / "robots")).replace(old_part, new_part)
+        (self.folder / name).write_text(problem)
+
     def open(self, name):
         """Loads a report afresh: without complaints, and without anything from elsewhere."""
         self.browser.get(f"file://{self.folder / name / 'report.html'}")
@@ -253,9 +260,10 @@ class ReportTest(unittest.TestCase):
         self.assertFalse(self.js("return wristwise.clock.playing"))
 
     def test_without_a_solution_says_why(self):
-        self.assertEqual(plan(SOURCE / "problems/task_b_jump.yaml", self.folder / "jump", "plan"), 1)
-        self.open("jump")
-        diagnosis = json.loads((self.folder / "jump/result.json").read_text())["diagnosis"][0]
+        self.write_problem("far.yaml", "to: {xyz: [0, 0.18, 0]", "to: {xyz: [0, 1.5, 0]")
+        self.assertEqual(plan(self.folder / "far.yaml", self.folder / "far", "plan"), 1)
+        self.open("far")
+        diagnosis = json.loads((self.folder / "far/result.json").read_text())["diagnosis"][0]
         text = self.browser.find_element(By.ID, "verdict").text
         self.assertIn(diagnosis["detail"], text)
         self.browser.find_element(By.CSS_SELECTOR, ".diagnosis button").click()
@@ -264,9 +272,7 @@ class ReportTest(unittest.TestCase):
                                min(time, self.js("return wristwise.clock.end")), delta=1e-9)
 
     def test_names_are_texts(self):
-        problem = (SOURCE / "problems/task_c_wrist_singularity.yaml").read_text().split("placement:")[0]
-        problem = problem.replace("../robots", str(SOURCE / "robots")).replace("name: foot", f'name: "{EVIL}"')
-        (self.folder / "evil.yaml").write_text(problem)
+        self.write_problem("evil.yaml", "name: foot", f'name: "{EVIL}"')
         self.assertEqual(plan(self.folder / "evil.yaml", self.folder / "evil", "plan", "--mode", "graph-only"), 0)
         self.open("evil")
         self.assertIsNone(self.js("return window.broken"))
