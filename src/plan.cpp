@@ -15,6 +15,7 @@
 #include "timing/speed_diagnosis.hpp"
 #include "timing/weld_speed.hpp"
 #include "verify/pace_check.hpp"
+#include "wristwise/error.hpp"
 
 namespace wristwise {
 
@@ -124,8 +125,14 @@ class Pipeline {
 
   void find_solver() {
     if (ik_) return;
-    ik_ = problem_.inverse_kinematics ? problem_.inverse_kinematics
-                                      : find_inverse_kinematics(problem_.robot).solver;
+    ik_ = problem_.inverse_kinematics;
+    if (!ik_) {
+      const InverseKinematicsFound found =
+          find_redundant_inverse_kinematics(problem_.robot, problem_.graph.redundancy);
+      if (!found.solver)
+        throw InvalidInput("graph.samples", found.description, "fewer joints to sample");
+      ik_ = found.solver;
+    }
     result_.inverse_kinematics = ik_->description();
   }
 

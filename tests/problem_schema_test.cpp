@@ -89,6 +89,7 @@ Keys accepted_keys(const std::string& problem) {
   Keys keys;
   std::istringstream list(match[1]);
   for (std::string key; std::getline(list >> std::ws, key, ',');) keys.insert(key);
+  keys.erase("turn");  // a joint of the gantry, which may be sampled
   return keys;
 }
 

@@ -26,12 +26,13 @@ class ClearanceModel {
   };
   using Names = std::pair<std::string, std::string>;
 
-  /// Links that move together, links joined by one joint, disabled pairs and what is outside the
-  /// scope are left out; so are a fixed link and an object that are clear, as they stay so.
-  /// With scene.find_permanent_contacts pairs of links (an object counts with a fixed link only:
-  /// one that swallows the robot is no contact to live with) that are nearer than scene.clearance
-  /// in each of a fixed set of random postures are left out too (unless listed by
-  /// CollisionScope::pairs); they are named by permanent_contacts().
+  /// Links that move together, links joined by one joint, an object and what moves with the link
+  /// that it names, disabled pairs and what is outside the scope are left out; so are a fixed link
+  /// and an object that are clear, as they stay so.
+  /// With scene.find_permanent_contacts pairs of links (of an object and a link only those joined
+  /// by one joint at most: an object that swallows the robot is no contact to live with) that are
+  /// nearer than scene.clearance in each of a fixed set of random postures are left out too (unless
+  /// listed by CollisionScope::pairs); they are named by permanent_contacts().
   /// @throws InvalidInput where a listed name is unknown or a name given twice, a listed pair never
   /// moves, the clearance is negative or not finite, or a shape unusable. Unknown names among the
   /// disabled pairs are passed over: an SRDF may speak of links outside the chain.

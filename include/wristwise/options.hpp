@@ -64,6 +64,8 @@ struct GraphOptions {
   /// Sampling step of the ranges of joint waypoints, rad or m, one per joint; 0: the ends and the
   /// middle. Empty: all 0.
   std::vector<double> joint_step;
+  /// Of joints to spare, which are sampled like a tolerance (find_redundant_inverse_kinematics).
+  JointSteps redundancy;
   /// > 0: steps are chosen so that a waypoint has about so many samples, `step` unused.
   int automatic_samples = 0;
   /// Samples again, ever finer, around the best path until the cost settles.

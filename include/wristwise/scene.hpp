@@ -10,7 +10,8 @@ namespace wristwise {
 
 struct SceneObject {
   std::string name;
-  std::vector<Shape> shapes;  ///< poses in the base frame of the robot
+  std::vector<Shape> shapes;  ///< poses in the frame of `link`
+  std::string link = {};      ///< of the robot, to which it is fixed; empty: the base link
 };
 
 enum class CollisionScope {

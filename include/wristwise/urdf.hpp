@@ -11,7 +11,7 @@ namespace wristwise {
 
 struct RobotSource {
   std::filesystem::path urdf;
-  std::string base_link;         ///< empty: the root of the tree
+  std::string base_link;         ///< stands still; empty: the root of the tree
   std::string tip_link;          ///< empty: the leaf with the longest chain of movable joints
   Pose tool = Pose::Identity();  ///< TCP in tip_link
   std::filesystem::path limits;  ///< MoveIt's joint_limits.yaml; empty: what the URDF says
@@ -19,12 +19,15 @@ struct RobotSource {
                                                 ///< ROS_PACKAGE_PATH
   bool require_velocity_limits = true;          ///< false for a first look at a description
   bool read_collision_shapes = true;            ///< false: links have none, meshes may be missing
+  std::string part_link;  ///< carries the part: the chain runs from it to the tip; empty: base_link
 };
 
-/// Reads a serial chain from a URDF. Links off the chain are held at joint zero and carried along.
-/// @throws InvalidInput: missing or malformed file, no such link or chain, a joint without limits,
-/// a joint type other than revolute, continuous, prismatic or fixed on the chain, a mesh that
-/// cannot be read.
+/// Reads a serial chain from a URDF, see Robot. Joints above the base link and off the chain are
+/// held at zero, their links carried along. A joint that is passed from child to parent keeps its
+/// name, value and limits; its axis is turned round (F62).
+/// @throws InvalidInput: missing or malformed file, no such link or chain, a joint that moves both
+/// part and tip, a joint without limits, a joint type other than revolute, continuous, prismatic or
+/// fixed on the chain, a mesh that cannot be read.
 Robot load_robot(const RobotSource& source);
 
 using LinkNames = std::pair<std::string, std::string>;

@@ -54,14 +54,18 @@ int run_info(const InfoCommand& command) {
   RobotSource source;
   source.urdf = command.urdf;
   source.base_link = command.base_link;
+  source.part_link = command.part_link;
   source.tip_link = command.tip_link;
   source.limits = command.limits;
   source.require_velocity_limits = false;
   const auto robot = std::make_shared<const Robot>(load_robot(source));
-  const InverseKinematicsFound found = find_inverse_kinematics(robot);
-  fmt::print("{}: {} to {}, {} joints\n{}inverse kinematics: {}\nbodies\n{}", robot->name(),
-             robot->base_link(), robot->tip_link(), robot->joint_count(), joint_table(*robot),
-             found.description, body_table(*robot));
+  const InverseKinematicsFound found = find_redundant_inverse_kinematics(robot);
+  const bool part_stands_still = robot->part_link() == robot->base_link();
+  fmt::print("{}: {} to {}, {} joints\n{}inverse kinematics: {}\nbodies{}\n{}", robot->name(),
+             robot->part_link(), robot->tip_link(), robot->joint_count(), joint_table(*robot),
+             found.description,
+             part_stands_still ? "" : fmt::format(", seen from {}", robot->part_link()),
+             body_table(*robot));
   for (const std::string& warning : robot->warnings()) fmt::print("warning: {}\n", warning);
   return kSolved;
 }

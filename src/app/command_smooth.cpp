@@ -31,11 +31,12 @@ void require_problem_or_robot(const SmoothCommand& command) {
     return;
   }
   const bool has_robot = !command.urdf.empty() || !command.base_link.empty() ||
-                         !command.tip_link.empty() || !command.limits.empty();
+                         !command.part_link.empty() || !command.tip_link.empty() ||
+                         !command.limits.empty();
   if (has_robot || !command.keep.empty() || command.no_self_collision)
     throw InvalidInput("command line",
-                       "--urdf, --base, --tip, --limits, --keep and --no-self-collision do not go "
-                       "with a PROBLEM",
+                       "--urdf, --base, --part, --tip, --limits, --keep and --no-self-collision "
+                       "do not go with a PROBLEM",
                        "either");
 }
 
@@ -67,6 +68,7 @@ RobotSource robot_source(const SmoothCommand& command) {
   RobotSource source;
   source.urdf = command.urdf;
   source.base_link = command.base_link;
+  source.part_link = command.part_link;
   source.tip_link = command.tip_link;
   source.limits = command.limits;
   source.read_collision_shapes = !command.no_self_collision;

@@ -23,7 +23,7 @@ struct SmoothCommand {
   std::filesystem::path out;  ///< empty: out/<problem>, or out/<joints>
   std::string smoothing_time;
   std::filesystem::path urdf;
-  std::string base_link, tip_link;
+  std::string base_link, part_link, tip_link;
   std::filesystem::path limits;
   std::string keep;  ///< "0.5mm,0.5deg"
   bool no_self_collision = false;
@@ -53,7 +53,7 @@ int run_place(const PlaceCommand& command, const Settings& settings);
 
 struct InfoCommand {
   std::filesystem::path urdf;
-  std::string base_link, tip_link;
+  std::string base_link, part_link, tip_link;
   std::filesystem::path limits;
 };
 int run_info(const InfoCommand& command);

@@ -100,6 +100,7 @@ class CommandLine {
                        "Time to smooth over, s; default: the problem's, or by the path");
     command.add_option("--urdf", smooth_.urdf, "Without a problem: robot description (URDF)");
     command.add_option("--base", smooth_.base_link, "Base link; default: the root");
+    command.add_option("--part", smooth_.part_link, "Link of the part; default: the base link");
     command.add_option("--tip", smooth_.tip_link, "Tip link; default: of the longest chain");
     command.add_option("--limits", smooth_.limits, "Joint limits (YAML); default: the URDF's");
     command.add_option("--keep", smooth_.keep,
@@ -138,6 +139,7 @@ class CommandLine {
     CLI::App& command = add_command(program_, "info", "Look at a robot description");
     command.add_option("ROBOT", info_.urdf, "Robot description (URDF)")->required();
     command.add_option("--base", info_.base_link, "Base link; default: the root");
+    command.add_option("--part", info_.part_link, "Link of the part; default: the base link");
     command.add_option("--tip", info_.tip_link, "Tip link; default: of the longest chain");
     command.add_option("--limits", info_.limits, "Joint limits (YAML)");
     command.callback([this] { action_ = [this] { return run_info(info_); }; });

@@ -16,10 +16,21 @@ using IndexPair = std::pair<int, int>;
 
 IndexPair sorted(int a, int b) { return std::minmax(a, b); }
 
-Body body_of(const Link& link) {
-  Body body{link.name, link.joint, link.collision};
-  for (Shape& shape : body.shapes) shape.pose = link.pose * shape.pose;
-  return body;
+/// @param shapes in the frame of the link
+Body body_on(const Link& link, const std::string& name, std::vector<Shape> shapes) {
+  for (Shape& shape : shapes) shape.pose = link.pose * shape.pose;
+  return {name, link.joint, std::move(shapes)};
+}
+
+/// The link that an object is fixed to. A robot made by hand may leave out its base.
+Link carrier(const SceneObject& object, const Robot& robot) {
+  const std::string& name = object.link.empty() ? robot.base_link() : object.link;
+  if (const Link* link = robot.find_link(name)) return *link;
+  if (object.link.empty()) return {};
+  std::vector<std::string> names;
+  for (const Link& link : robot.links()) names.push_back(link.name);
+  throw InvalidInput("scene object '" + object.name + "'", "no link '" + name + "'",
+                     "a link of the robot such as " + similar_names(name, names));
 }
 
 void check_object(const SceneObject& object, std::set<std::string>& taken) {
@@ -81,17 +92,37 @@ std::set<IndexPair> left_out(const std::vector<Body>& bodies, const Robot& robot
   return out;
 }
 
+/// Null for a link; objects come last.
+const SceneObject* object_of(const std::vector<Body>& bodies, const Scene& scene, int body) {
+  const int first = static_cast<int>(bodies.size() - scene.objects.size());
+  return body < first ? nullptr : &scene.objects[static_cast<std::size_t>(body - first)];
+}
+
+bool are_adjacent(const Robot& robot, const std::string& a, const std::string& b) {
+  return std::any_of(robot.adjacent_links().begin(), robot.adjacent_links().end(),
+                     [&](const std::pair<int, int>& pair) {
+                       const auto& first = robot.links()[static_cast<std::size_t>(pair.first)].name;
+                       const auto& second =
+                           robot.links()[static_cast<std::size_t>(pair.second)].name;
+                       return (first == a && second == b) || (first == b && second == a);
+                     });
+}
+
+/// Joined for good: links, objects, or an object and the link that it is said to be fixed to.
+bool are_one(const std::vector<Body>& bodies, const Scene& scene, int a, int b) {
+  if (!move_together(bodies, a, b)) return false;
+  const SceneObject* object = object_of(bodies, scene, b);
+  return object == nullptr || object_of(bodies, scene, a) != nullptr || !object->link.empty();
+}
+
 std::vector<IndexPair> all_pairs(const std::vector<Body>& bodies, const Robot& robot,
                                  const Scene& scene) {
   const std::set<IndexPair> out = left_out(bodies, robot, scene);
   const int count = static_cast<int>(bodies.size());
-  const int link_count = count - static_cast<int>(scene.objects.size());
   std::vector<IndexPair> pairs;
-  for (int a = 0; a < link_count; ++a) {
+  for (int a = 0; a < count; ++a) {
     for (int b = a + 1; b < count; ++b) {
-      const bool both_links = b < link_count;
-      if (both_links && move_together(bodies, a, b)) continue;
-      if (out.count({a, b}) == 0) pairs.emplace_back(a, b);
+      if (!are_one(bodies, scene, a, b) && out.count({a, b}) == 0) pairs.emplace_back(a, b);
     }
   }
   return pairs;
@@ -104,18 +135,27 @@ std::vector<Body> collision_bodies(const Robot& robot, const Scene& scene) {
   std::set<std::string> taken;
   for (const Link& link : robot.links()) {
     taken.insert(link.name);
-    if (!link.collision.empty()) bodies.push_back(body_of(link));
+    if (!link.collision.empty()) bodies.push_back(body_on(link, link.name, link.collision));
   }
   std::stable_sort(bodies.begin(), bodies.end(),
                    [](const Body& a, const Body& b) { return a.joint < b.joint; });
   for (const SceneObject& object : scene.objects) {
     check_object(object, taken);
-    bodies.push_back({object.name, -1, object.shapes});
+    bodies.push_back(body_on(carrier(object, robot), object.name, object.shapes));
   }
   for (const Body& body : bodies) {
     for (const Shape& shape : body.shapes) check_shape("'" + body.name + "'", shape);
   }
   return bodies;
+}
+
+bool may_stay_in_contact(const std::vector<Body>& bodies, const Robot& robot, const Scene& scene,
+                         const IndexPair& pair) {
+  const auto [a, b] = pair;
+  const SceneObject* object = object_of(bodies, scene, b);
+  if (object == nullptr || move_together(bodies, a, b)) return true;
+  if (object_of(bodies, scene, a) != nullptr || object->link.empty()) return false;
+  return are_adjacent(robot, bodies[static_cast<std::size_t>(a)].name, object->link);
 }
 
 std::vector<IndexPair> body_pairs(const std::vector<Body>& bodies, const Robot& robot,

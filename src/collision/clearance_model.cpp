@@ -38,9 +38,8 @@ ClearanceModel::ClearanceModel(std::shared_ptr<const Robot> robot, const Scene& 
     const Body& body_b = bodies_[static_cast<std::size_t>(b)];
     const bool never_moves = body_a.joint == body_b.joint;
     if (never_moves && !near[i]) continue;
-    const std::size_t links = bodies_.size() - scene.objects.size();  // objects come last
-    const bool with_object = static_cast<std::size_t>(std::max(a, b)) >= links;
-    if (near[i] && scene.find_permanent_contacts && (never_moves || !with_object)) {
+    if (near[i] && scene.find_permanent_contacts &&
+        may_stay_in_contact(bodies_, *robot_, scene, candidates[i])) {
       permanent_contacts_.emplace_back(body_a.name, body_b.name);
       continue;
     }

@@ -1,5 +1,7 @@
 #include "graph/path_sampling.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +12,7 @@
 #include "graph/sampling_grid.hpp"
 #include "kinematics/singularity.hpp"
 #include "parallel.hpp"
+#include "wristwise/error.hpp"
 
 namespace wristwise {
 
@@ -17,6 +20,7 @@ namespace {
 
 constexpr double kTurn = 6.28318530717958647692;
 constexpr double kLimitTolerance = 1e-12;
+constexpr double kMostSamples = 1e6;  // of a waypoint
 
 /// Eq. 9, and the same for positions (F17).
 double deviation_cost(const CostOptions& cost, const Vector6& e) {
@@ -83,8 +87,9 @@ class WaypointSampler {
     costs_.clear();
     if (waypoint.joints) return joint_rung(*waypoint.joints, counts);
     if (!grid_ || !grid_->is_of(waypoint.tolerance)) {
-      grid_.emplace(waypoint.tolerance, waypoint_grid(waypoint.tolerance, input_.options),
-                    input_.cost);
+      const std::vector<Vector6> grid = waypoint_grid(waypoint.tolerance, input_.options);
+      refuse_too_many(grid.size());
+      grid_.emplace(waypoint.tolerance, grid, input_.cost);
     }
     return sample_grid(waypoint, *grid_, counts);
   }
@@ -96,6 +101,16 @@ class WaypointSampler {
   }
 
  private:
+  /// The samples of the tolerance alone are checked by waypoint_grid.
+  void refuse_too_many(std::size_t of_tolerance) const {
+    const std::size_t of_joints = input_.ik.samples();
+    if (static_cast<double>(of_tolerance) * static_cast<double>(of_joints) <= kMostSamples) return;
+    throw InvalidInput(
+        "graph.samples",
+        fmt::format("{} samples of the tolerance times {} of joints", of_tolerance, of_joints),
+        "at most a million at a waypoint: larger steps");
+  }
+
   Rung sample_grid(const Waypoint& waypoint, const SampleGrid& grid, SampleCounts& counts) {
     counts.samples += grid.samples().size();
     for (const SampleGrid::Sample& sample : grid.samples()) {

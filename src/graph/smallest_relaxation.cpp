@@ -269,10 +269,10 @@ class Search {
   }
 
   /// Infinite where that is more than a waypoint may have.
-  static double sample_count(const Trial& trial) {
+  double sample_count(const Trial& trial) const {
     const std::vector<Waypoint>& waypoints = trial.part.task.waypoints;
     try {
-      return static_cast<double>(waypoints.size()) *
+      return static_cast<double>(waypoints.size() * input_.ik.samples()) *
              static_cast<double>(waypoint_grid(waypoints.front().tolerance, trial.options).size());
     } catch (const InvalidInput&) {
       return std::numeric_limits<double>::infinity();

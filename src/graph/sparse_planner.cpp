@@ -157,7 +157,8 @@ class SparsePlan {
       e[k] = std::clamp(e[k], waypoint.tolerance.lower[k], waypoint.tolerance.upper[k]);
     }
     std::vector<JointVector> branches, postures;
-    input_.ik.solve(pose_at_deviation(waypoint.tolerance, waypoint.frame, e), branches);
+    input_.ik.solve_beside(pose_at_deviation(waypoint.tolerance, waypoint.frame, e), straight,
+                           branches);
     for (const JointVector& branch : branches) {
       append_turns(input_.robot, branch, input_.options.turns, postures);
     }

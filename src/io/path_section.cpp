@@ -36,7 +36,7 @@ SeamDescription read_description(const ConfigReader& reader, const Pose& part,
 }  // namespace
 
 PathSection read_path(const ConfigReader& reader, const Robot& robot) {
-  reader.expect_keys({"frame", "speed", "speed_policy", "spacing", "waypoints", "segments",
+  reader.expect_keys({"link", "frame", "speed", "speed_policy", "spacing", "waypoints", "segments",
                       "corners", "run_in", "run_out", "tolerance"});
   PathSection path;
   if (const auto frame = reader.find("frame")) path.part = read_pose(*frame);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "io/coordinate_keys.hpp"
@@ -13,11 +14,26 @@ void read_weight(const ConfigReader& reader, const std::string& key, double& wei
   if (const auto value = reader.find(key)) weight = value->not_negative(Quantity::number);
 }
 
+std::vector<std::string> joint_names(const Robot& robot) {
+  std::vector<std::string> names;
+  for (const Joint& joint : robot.joints()) names.push_back(joint.name);
+  return names;
+}
+
+/// By name, those left out being 1; or a list.
 std::vector<double> read_joint_weights(const ConfigReader& reader, const Robot& robot) {
   const auto count = static_cast<std::size_t>(robot.joint_count());
+  if (reader.is_map()) {
+    reader.expect_keys(joint_names(robot));
+    std::vector<double> weights(count, 1);
+    for (std::size_t j = 0; j < count; ++j)
+      if (const auto weight = reader.find(robot.joints()[j].name))
+        weights[j] = weight->positive(Quantity::number);
+    return weights;
+  }
   std::vector<double> weights;
   for (const ConfigReader& item :
-       reader.items(count, fmt::format("a list of {}, one per joint", count)))
+       reader.items(count, fmt::format("a list of {}, one per joint, or {{joint: weight}}", count)))
     weights.push_back(item.positive(Quantity::number));
   return weights;
 }
@@ -67,12 +83,20 @@ std::vector<double> read_joint_steps(const ConfigReader& reader, const Robot& ro
 void read_samples(const ConfigReader& reader, const Robot& robot, GraphOptions& graph) {
   std::vector<std::string> keys = coordinate_keys();
   keys.emplace_back("joints");
+  const std::vector<std::string> of_tolerance = keys;
+  for (const std::string& joint : joint_names(robot)) keys.push_back(joint);
   reader.expect_keys(keys);
   for (int i = 0; i < 6; ++i)
     if (const auto value = find_coordinate(reader, i))
       graph.step[i] = value->positive(coordinate_quantity(i));
   if (const auto joints = reader.find("joints"))
     graph.joint_step = read_joint_steps(*joints, robot);
+  for (std::size_t j = 0; j < robot.joints().size(); ++j) {
+    const std::string& name = robot.joints()[j].name;
+    if (std::find(of_tolerance.begin(), of_tolerance.end(), name) != of_tolerance.end()) continue;
+    if (const auto step = reader.find(name))
+      graph.redundancy[name] = step->positive(joint_quantity(robot, j));
+  }
 }
 
 }  // namespace

@@ -12,6 +12,12 @@ double read_controller_period(const ConfigReader& reader) {
   return period ? period->positive(Quantity::time) : Problem().controller_period;
 }
 
+/// That carries the part; empty: the base link.
+std::string read_part_link(const ConfigReader& path) {
+  const auto link = path.find("link");
+  return link ? link->text() : std::string();
+}
+
 }  // namespace
 
 ProblemSections read_problem(const std::filesystem::path& file) {
@@ -23,7 +29,8 @@ ProblemSections read_problem(const std::filesystem::path& file) {
   ProblemSections sections;
   Problem& problem = sections.problem;
   problem.name = file.stem().string();
-  RobotSection robot = read_robot(reader.at("robot"));
+  const ConfigReader path = reader.at("path");
+  RobotSection robot = read_robot(reader.at("robot"), read_part_link(path));
   problem.robot = std::move(robot.robot);
   problem.inverse_kinematics = std::move(robot.inverse_kinematics);
   problem.scene = read_scene(reader.find("scene"), *problem.robot, robot.packages);
@@ -31,7 +38,7 @@ ProblemSections read_problem(const std::filesystem::path& file) {
     problem.scene.disabled = std::move(*robot.disabled);
     problem.scene.find_permanent_contacts = false;
   }
-  sections.path = read_path(reader.at("path"), *problem.robot);
+  sections.path = read_path(path, *problem.robot);
   problem.task = task_after(Pose::Identity(), sections.path, *problem.robot);
   if (const auto cost = reader.find("cost")) problem.cost = read_cost(*cost, *problem.robot);
   if (const auto graph = reader.find("graph")) problem.graph = read_graph(*graph, *problem.robot);

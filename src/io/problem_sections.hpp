@@ -30,7 +30,8 @@ struct RobotSection {
   Packages packages;
   std::optional<std::vector<Scene::Names>> disabled;  ///< given where there is an SRDF
 };
-RobotSection read_robot(const ConfigReader& reader);
+/// @param part_link carries the part; empty: the base link
+RobotSection read_robot(const ConfigReader& reader, const std::string& part_link);
 
 /// Of the values of a joint, by its index.
 Quantity joint_quantity(const Robot& robot, std::size_t joint);

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include "io/problem_sections.hpp"
+#include "kinematics/partial_chain.hpp"
 #include "kinematics/robot_files.hpp"
 #include "kinematics/urdf_collision.hpp"
 #include "wristwise/error.hpp"
@@ -6,6 +9,48 @@
 #include "wristwise/urdf.hpp"
 
 namespace wristwise {
+
+namespace {
+
+/// A value, or a range inside the joint's limits.
+void read_joint_range(const ConfigReader& reader, Quantity quantity, Joint& joint) {
+  double lower = 0, upper = 0;
+  if (reader.is_list()) {
+    const auto bounds = reader.items(2, "[lower, upper]");
+    lower = bounds[0].quantity(quantity);
+    upper = bounds[1].quantity(quantity);
+  } else {
+    lower = upper = reader.quantity(quantity);
+  }
+  if (lower > upper) reader.fail("the lower end is above the upper", "[lower, upper]");
+  if (lower < joint.lower || upper > joint.upper)
+    reader.fail(
+        fmt::format("it leaves the joint's limits {:.6g} to {:.6g}", joint.lower, joint.upper),
+        "a range inside them");
+  joint.lower = lower;
+  joint.upper = upper;
+  if (joint.type == JointType::continuous) joint.type = JointType::revolute;
+}
+
+/// A joint with one value is held there, and is no joint of the chain any more.
+Robot with_joint_ranges(const Robot& robot, const ConfigReader& reader) {
+  Robot::Parts parts = robot.parts();
+  std::vector<std::string> names;
+  for (const Joint& joint : parts.joints) names.push_back(joint.name);
+  reader.expect_keys(names);
+  std::vector<int> held;
+  for (std::size_t j = 0; j < parts.joints.size(); ++j) {
+    const auto range = reader.find(names[j]);
+    if (!range) continue;
+    read_joint_range(*range, joint_quantity(robot, j), parts.joints[j]);
+    if (parts.joints[j].lower == parts.joints[j].upper) held.push_back(static_cast<int>(j));
+  }
+  if (held.size() == names.size()) reader.fail("every joint is held", "one that moves");
+  const Robot narrowed(std::move(parts));
+  return held.empty() ? narrowed : with_held_joints(narrowed, held, narrowed.lower_limits());
+}
+
+}  // namespace
 
 std::filesystem::path find_file(const ConfigReader& reader, const Packages& packages) {
   const std::string uri = reader.text();
@@ -47,8 +92,9 @@ std::shared_ptr<const InverseKinematics> read_ik(const ConfigReader& reader,
 
 }  // namespace
 
-RobotSection read_robot(const ConfigReader& reader) {
-  reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "srdf", "packages", "ik"});
+RobotSection read_robot(const ConfigReader& reader, const std::string& part_link) {
+  reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "joint_ranges", "srdf",
+                      "packages", "ik"});
   RobotSource source;
   if (const auto packages = reader.find("packages"))
     for (const ConfigReader& folder : packages->items())
@@ -56,13 +102,16 @@ RobotSection read_robot(const ConfigReader& reader) {
   source.urdf = find_file(reader.at("urdf"), source.packages);
   if (const auto base = reader.find("base_link")) source.base_link = base->text();
   if (const auto tip = reader.find("tip_link")) source.tip_link = tip->text();
+  source.part_link = part_link;
   if (const auto tool = reader.find("tool")) source.tool = read_pose(*tool);
   if (const auto limits = reader.find("limits"))
     source.limits = find_file(*limits, source.packages);
 
   RobotSection section;
   section.packages = source.packages;
-  section.robot = std::make_shared<const Robot>(load_robot(source));
+  Robot robot = load_robot(source);
+  if (const auto ranges = reader.find("joint_ranges")) robot = with_joint_ranges(robot, *ranges);
+  section.robot = std::make_shared<const Robot>(std::move(robot));
   for (const std::filesystem::path& file : robot_files(source)) reader.uses_file(file);
   if (const auto ik = reader.find("ik"))
     section.inverse_kinematics = read_ik(*ik, section.robot, source.packages);

@@ -38,8 +38,16 @@ std::vector<Geometry> read_geometry(const ConfigReader& object, const std::strin
   return geometries;
 }
 
-SceneObject read_object(const ConfigReader& reader, const Packages& packages) {
-  reader.expect_keys({"name", "box", "cylinder", "sphere", "mesh", "scale", "xyz", "rpy"});
+std::string read_link(const ConfigReader& reader, const Robot& robot) {
+  std::string name = reader.text();
+  if (robot.find_link(name) != nullptr) return name;
+  std::vector<std::string> known;
+  for (const Link& link : robot.links()) known.push_back(link.name);
+  reader.fail("no link '" + name + "'", "one of the robot, such as " + similar_names(name, known));
+}
+
+SceneObject read_object(const ConfigReader& reader, const Robot& robot, const Packages& packages) {
+  reader.expect_keys({"name", "link", "box", "cylinder", "sphere", "mesh", "scale", "xyz", "rpy"});
   std::vector<std::string> given;
   for (const std::string& shape : kShapes)
     if (reader.find(shape)) given.push_back(shape);
@@ -51,6 +59,7 @@ SceneObject read_object(const ConfigReader& reader, const Packages& packages) {
 
   SceneObject object;
   object.name = reader.at("name").text();
+  if (const auto link = reader.find("link")) object.link = read_link(*link, robot);
   Eigen::Vector3d xyz = Eigen::Vector3d::Zero();
   Eigen::Vector3d rpy = Eigen::Vector3d::Zero();
   if (const auto position = reader.find("xyz")) xyz = position->vector(Quantity::length);
@@ -108,7 +117,7 @@ Scene read_scene(const std::optional<ConfigReader>& reader, const Robot& robot,
   reader->expect_keys({"collision", "objects", "clearance"});
   if (const auto objects = reader->find("objects")) {
     for (const ConfigReader& item : objects->items()) {
-      SceneObject object = read_object(item, packages);
+      SceneObject object = read_object(item, robot, packages);
       const std::vector<std::string> taken = body_names(robot, scene.objects);
       if (std::find(taken.begin(), taken.end(), object.name) != taken.end())
         item.at("name").fail("'" + object.name + "' is the name of another link or object");

@@ -21,9 +21,6 @@ class CalibratedArm {
   void solve(const Pose& tcp, std::vector<JointVector>& branches) const;
 
  private:
-  void polish(const Pose& tcp, JointVector start, std::size_t first,
-              std::vector<JointVector>& branches) const;
-
   std::shared_ptr<const Robot> robot_;
   SphericalWrist ideal_;
   double misfit_ = 0;  // rad, of the wrist's orientation

@@ -50,7 +50,7 @@ JointVector even_posture(const Robot& robot, int index) {
 }
 
 /// Both ends of the range; once round where a joint can turn round.
-std::vector<double> samples(const Joint& joint, double step) {
+std::vector<double> samples_of(const Joint& joint, double step) {
   const bool round = !slides(joint) && joint.upper - joint.lower >= 2 * kPi;
   const double lower = round ? -kPi : joint.lower, upper = round ? kPi : joint.upper;
   if (lower == upper) return {lower};
@@ -123,7 +123,7 @@ void IkFastInverseKinematics::sample_free_joints(const FreeSteps& steps) {
     unused.erase(joint.name);
     std::vector<std::vector<double>> product;
     for (const std::vector<double>& combination : free_samples_) {
-      for (const double value : samples(joint, step)) {
+      for (const double value : samples_of(joint, step)) {
         product.push_back(combination);
         product.back().push_back(value);
       }

@@ -6,7 +6,10 @@
 #include <utility>
 
 #include "kinematics/calibrated_arm.hpp"
+#include "kinematics/crossed_shoulder.hpp"
+#include "kinematics/reversed_chain.hpp"
 #include "kinematics/spherical_wrist_fit.hpp"
+#include "kinematics/three_parallel_axes.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/numeric_inverse_kinematics.hpp"
 
@@ -65,20 +68,14 @@ class PolishedClosedForm : public InverseKinematics {
   std::string description_;
 };
 
-}  // namespace
-
-InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robot, double misfit) {
-  if (!robot) throw InvalidInput("find_inverse_kinematics", "no robot");
-  if (!(misfit >= 0)) {
-    throw InvalidInput("find_inverse_kinematics", "misfit is " + std::to_string(misfit),
-                       "m and rad, zero or more");
-  }
+/// Of the chain as it is, not of the reversed one.
+InverseKinematicsFound find_form(const std::shared_ptr<const Robot>& robot, double misfit) {
   const SphericalWristFit fit = fit_spherical_wrist(*robot, std::max(misfit, kExact));
   if (!fit.arm) {
-    const auto solver = std::make_shared<NumericInverseKinematics>(std::move(robot));
-    return {solver, solver->description() + " (no closed form: " + fit.failure + ")"};
+    if (const auto arm = CrossedShoulder::find(robot)) return {arm, arm->description()};
+    if (const auto arm = ThreeParallelAxes::find(robot)) return {arm, arm->description()};
+    return {nullptr, "no closed form: " + fit.failure};
   }
-
   InverseKinematicsFound found;
   found.description = describe(*fit.arm);
   if (fit.position_misfit <= kExact && fit.angle_misfit <= kExact) {
@@ -87,9 +84,32 @@ InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robo
   }
   found.description += describe_misfit(fit);
   found.solver = std::make_shared<PolishedClosedForm>(
-      CalibratedArm(std::move(robot), *fit.arm, fit.position_misfit, fit.angle_misfit),
-      found.description);
+      CalibratedArm(robot, *fit.arm, fit.position_misfit, fit.angle_misfit), found.description);
   return found;
+}
+
+}  // namespace
+
+InverseKinematicsFound find_closed_form(std::shared_ptr<const Robot> robot, double misfit) {
+  if (!robot) throw InvalidInput("find_closed_form", "no robot");
+  if (!(misfit >= 0)) {
+    throw InvalidInput("find_closed_form", "misfit is " + std::to_string(misfit),
+                       "m and rad, zero or more");
+  }
+  InverseKinematicsFound found = find_form(robot, misfit);
+  if (found.solver) return found;
+  const auto reversed = std::make_shared<const Robot>(reversed_chain(*robot));
+  const InverseKinematicsFound of_reversed = find_form(reversed, misfit);
+  if (!of_reversed.solver) return found;
+  const auto solver = std::make_shared<ReversedInverseKinematics>(of_reversed.solver);
+  return {solver, solver->description()};
+}
+
+InverseKinematicsFound find_inverse_kinematics(std::shared_ptr<const Robot> robot, double misfit) {
+  InverseKinematicsFound found = find_closed_form(robot, misfit);
+  if (found.solver) return found;
+  const auto solver = std::make_shared<NumericInverseKinematics>(std::move(robot));
+  return {solver, solver->description() + " (" + found.description + ")"};
 }
 
 }  // namespace wristwise

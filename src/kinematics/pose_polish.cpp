@@ -2,6 +2,9 @@
 
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "wristwise/kinematics.hpp"
 
@@ -11,6 +14,8 @@ namespace {
 constexpr double kTolerance = 1e-12;
 constexpr int kNewtonSteps = 8;
 constexpr int kDampedSteps = 80;
+/// Solutions nearer than this (rad) are one: at a double root 1e-12 in the pose is 1e-6 in a joint.
+constexpr double kSameSolution = 1e-6;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -85,6 +90,13 @@ bool levenberg_marquardt(const Robot& robot, const Pose& target, JointVector& q)
   return misfit.solved();
 }
 
+bool same_posture(const JointVector& a, const JointVector& b) {
+  for (Eigen::Index j = 0; j < a.size(); ++j) {
+    if (std::abs(wrap_angle(a[j] - b[j])) > kSameSolution) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool polish_posture(const Robot& robot, const Pose& target, JointVector& q) {
@@ -92,6 +104,16 @@ bool polish_posture(const Robot& robot, const Pose& target, JointVector& q) {
   if (newton(robot, target, q)) return true;
   q = start;
   return levenberg_marquardt(robot, target, q);
+}
+
+void append_polished(const Robot& robot, const Pose& target, JointVector start, std::size_t first,
+                     std::vector<JointVector>& branches) {
+  if (!polish_posture(robot, target, start)) return;
+  for (double& angle : start) angle = wrap_angle(angle);
+  const bool known =
+      std::any_of(branches.begin() + static_cast<std::ptrdiff_t>(first), branches.end(),
+                  [&](const JointVector& other) { return same_posture(start, other); });
+  if (!known) branches.push_back(std::move(start));
 }
 
 }  // namespace wristwise

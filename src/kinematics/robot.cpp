@@ -1,5 +1,6 @@
 #include "wristwise/robot.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -102,6 +103,12 @@ Robot::Robot(Parts parts) : parts_(std::move(parts)) {
   }
   validate_links(parts_, where);
   require_rigid(parts_.tcp, where + ", tool");
+}
+
+const Link* Robot::find_link(const std::string& name) const {
+  const auto found = std::find_if(parts_.links.begin(), parts_.links.end(),
+                                  [&](const Link& link) { return link.name == name; });
+  return found == parts_.links.end() ? nullptr : &*found;
 }
 
 JointVector Robot::lower_limits() const { return gather(parts_.joints, &Joint::lower); }

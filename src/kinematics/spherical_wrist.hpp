@@ -1,22 +1,13 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "kinematics/planar_turn.hpp"
-#include "wristwise/joints.hpp"
-#include "wristwise/pose.hpp"
+#include "kinematics/six_axes.hpp"
 
 namespace wristwise {
 
 class BranchDirections;
-
-/// The axes of a six-axis arm at joint zero, in the base frame.
-struct SixAxes {
-  std::array<Eigen::Vector3d, 6> points;      ///< on each axis, m
-  std::array<Eigen::Vector3d, 6> directions;  ///< unit
-  Pose tcp;                                   ///< at joint zero
-};
 
 /// How far outside its workspace the closed form still answers, with the nearest posture.
 struct WorkspaceMargin {

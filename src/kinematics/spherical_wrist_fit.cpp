@@ -1,11 +1,7 @@
 #include "kinematics/spherical_wrist_fit.hpp"
 
-#include <Eigen/Cholesky>
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-
-#include "wristwise/kinematics.hpp"
+#include <utility>
 
 namespace wristwise {
 namespace {
@@ -21,58 +17,9 @@ std::string with_number(const char* format, double value) {
 
 double degrees(double angle) { return angle * 57.29577951308232; }
 
-/// Of two lines, whatever their sense: in [0, pi/2].
-double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
-}
-
-SixAxes axes_at_zero(const Robot& robot) {
-  ChainPose chain;
-  forward_kinematics(robot, JointVector::Zero(robot.joint_count()), chain);
-  SixAxes axes;
-  for (std::size_t j = 0; j < 6; ++j) {
-    axes.points[j] = chain.frames[j].translation();
-    axes.directions[j] = chain.axes[j];
-  }
-  axes.tcp = chain.tcp;
-  return axes;
-}
-
 /// The projection along an axis: I - h h^T takes a vector to its part perpendicular to the axis.
 Eigen::Matrix3d rejection(const Eigen::Vector3d& axis) {
   return Eigen::Matrix3d::Identity() - axis * axis.transpose();
-}
-
-/// Least squares: the point with the least sum of squared distances from axes 4, 5 and 6.
-Eigen::Vector3d meeting_point(const SixAxes& axes) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  const Eigen::Vector3d origin = axes.points[4];  // nearby, so that little is lost to cancellation
-  for (std::size_t j = 3; j < 6; ++j) {
-    const Eigen::Matrix3d part = rejection(axes.directions[j]);
-    normal += part;
-    right += part * (axes.points[j] - origin);
-  }
-  return origin + normal.ldlt().solve(right);
-}
-
-double largest_distance(const SixAxes& axes, const Eigen::Vector3d& point) {
-  double distance = 0;
-  for (std::size_t j = 3; j < 6; ++j) {
-    distance =
-        std::max(distance, (rejection(axes.directions[j]) * (point - axes.points[j])).norm());
-  }
-  return distance;
-}
-
-std::string failed_joints(const Robot& robot) {
-  if (robot.joint_count() != 6) {
-    return with_number("the chain has %.0f movable joints, not six", robot.joint_count());
-  }
-  for (const Joint& joint : robot.joints()) {
-    if (joint.type == JointType::prismatic) return "joint '" + joint.name + "' is prismatic";
-  }
-  return {};
 }
 
 std::string failed_directions(const SixAxes& axes, double misfit) {
@@ -122,18 +69,18 @@ void make_parallel(Eigen::Vector3d& a, Eigen::Vector3d& b) {
 
 SphericalWristFit fit_spherical_wrist(const Robot& robot, double misfit) {
   SphericalWristFit fit;
-  fit.failure = failed_joints(robot);
+  fit.failure = reason_for_no_six_axes(robot);
   if (!fit.failure.empty()) return fit;
   SixAxes axes = axes_at_zero(robot);
   fit.failure = failed_directions(axes, misfit);
   if (!fit.failure.empty()) return fit;
-  const Eigen::Vector3d wrist = meeting_point(axes);
-  fit.position_misfit = largest_distance(axes, wrist);
+  const Meeting wrist = meeting_of(axes, 3, 5);
+  fit.position_misfit = wrist.distance;
   fit.angle_misfit = line_angle(axes.directions[1], axes.directions[2]);
-  fit.failure = failed_lengths(axes, wrist, fit.position_misfit, misfit);
+  fit.failure = failed_lengths(axes, wrist.point, fit.position_misfit, misfit);
   if (!fit.failure.empty()) return fit;
   make_parallel(axes.directions[1], axes.directions[2]);
-  fit.arm.emplace(axes, wrist);
+  fit.arm.emplace(axes, wrist.point);
   return fit;
 }
 

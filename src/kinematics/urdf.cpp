@@ -12,6 +12,7 @@
 
 #include "kinematics/joint_limits.hpp"
 #include "kinematics/link_adjacency.hpp"
+#include "kinematics/urdf_chain.hpp"
 #include "kinematics/urdf_collision.hpp"
 #include "kinematics/urdf_document.hpp"
 #include "kinematics/urdf_joint.hpp"
@@ -20,39 +21,6 @@
 
 namespace wristwise {
 namespace {
-
-urdf::LinkConstSharedPtr find_link(const urdf::ModelInterface& model, const std::string& name,
-                                   const std::string& where) {
-  if (urdf::LinkConstSharedPtr link = model.getLink(name)) return link;
-  std::vector<std::string> names;
-  for (const auto& entry : model.links_) names.push_back(entry.first);
-  throw InvalidInput(where, "no link '" + name + "'",
-                     "a link of the URDF such as " + similar_names(name, names));
-}
-
-/// The leaf below `base` with the most movable joints on its way; of those the one farthest down.
-urdf::LinkConstSharedPtr longest_chain_tip(const urdf::LinkConstSharedPtr& base) {
-  struct Reached {
-    urdf::LinkConstSharedPtr link;
-    std::pair<int, int> length;  // movable joints, joints
-  };
-  Reached best{base, {0, 0}};
-  std::vector<Reached> open = {best};
-  while (!open.empty()) {
-    const Reached at = open.back();
-    open.pop_back();
-    const bool leaf = at.link->child_joints.empty();
-    if (leaf && (at.length > best.length ||
-                 (at.length == best.length && at.link->name < best.link->name))) {
-      best = at;
-    }
-    for (std::size_t i = 0; i < at.link->child_links.size(); ++i) {
-      const int movable = is_movable(*at.link->child_joints[i]) ? 1 : 0;
-      open.push_back({at.link->child_links[i], {at.length.first + movable, at.length.second + 1}});
-    }
-  }
-  return best.link;
-}
 
 /// Reads one serial chain out of the tree of links.
 class ChainReader {
@@ -95,50 +63,51 @@ class ChainReader {
   }
 
   void find_chain() {
-    const urdf::ModelInterface& model = *document_.model;
-    const urdf::LinkConstSharedPtr base =
-        source_.base_link.empty() ? model.getRoot() : find_link(model, source_.base_link, where_);
-    const urdf::LinkConstSharedPtr tip = source_.tip_link.empty()
-                                             ? longest_chain_tip(base)
-                                             : find_link(model, source_.tip_link, where_);
-    parts_.name = model.getName();
-    parts_.base_link = base->name;
-    parts_.tip_link = tip->name;
-    for (urdf::LinkConstSharedPtr link = tip; link != base; link = link->getParent()) {
-      if (!link) {
-        throw InvalidInput(where_,
-                           "no chain leads from '" + base->name + "' down to '" + tip->name + "'",
-                           "a base_link above the tip_link in the tree");
-      }
-      chain_.push_back(link);
-    }
-    chain_.push_back(base);
-    std::reverse(chain_.begin(), chain_.end());
+    chain_ = wristwise::find_chain(*document_.model, source_);
+    parts_.name = document_.model->getName();
+    parts_.base_link = chain_.base->name;
+    parts_.part_link = chain_.part->name;
+    parts_.tip_link = chain_.tip->name;
   }
 
   void read_joints() {
     Placement at;
-    placements_[chain_.front()->name] = at;
-    for (std::size_t i = 1; i < chain_.size(); ++i) {
-      const urdf::Joint& source = *chain_[i]->parent_joint;
-      if (is_movable(source)) {
-        Joint joint = read_joint(source);
-        joint.origin = at.pose * joint.origin;
-        parts_.joints.push_back(std::move(joint));
-        at = {static_cast<int>(parts_.joints.size()) - 1, Pose::Identity()};
-      } else {
-        at.pose = at.pose * pose_from_urdf(source.parent_to_joint_origin_transform);
-      }
-      placements_[chain_[i]->name] = at;
-      on_chain_.insert(source.name);
+    placements_[chain_.part->name] = at;
+    for (const ChainJoint& passed : chain_.joints) {
+      const bool moves = is_movable(*passed.joint) && !passed.held;
+      at = moves ? beyond_movable(at, passed) : beyond_fixed(at, passed);
+      placements_[passed.to->name] = at;
+      if (moves) on_chain_.insert(passed.joint->name);
     }
     if (parts_.joints.empty()) {
       throw InvalidInput(
           where_,
-          "no movable joint between '" + parts_.base_link + "' and '" + parts_.tip_link + "'",
+          "no movable joint between '" + parts_.part_link + "' and '" + parts_.tip_link + "'",
           "a chain that moves");
     }
     parts_.tcp = at.pose * source_.tool;
+  }
+
+  // (F62) A joint with origin O and axis a takes its parent to its child by O M(a, q). Passed the
+  // other way that is M(a, q)^-1 O^-1 = M(-a, q) O^-1: a joint without origin, and then O^-1.
+  Placement beyond_movable(const Placement& at, const ChainJoint& passed) {
+    Joint joint = read_joint(*passed.joint);
+    Placement beyond;
+    if (passed.reversed) {
+      beyond.pose = joint.origin.inverse();
+      joint.origin = at.pose;
+      joint.axis = -joint.axis;
+    } else {
+      joint.origin = at.pose * joint.origin;
+    }
+    parts_.joints.push_back(std::move(joint));
+    beyond.joint = static_cast<int>(parts_.joints.size()) - 1;
+    return beyond;
+  }
+
+  Placement beyond_fixed(const Placement& at, const ChainJoint& passed) {
+    const Pose step = frozen_transform(*passed.joint);
+    return {at.joint, at.pose * (passed.reversed ? step.inverse() : step)};
   }
 
   Joint read_joint(const urdf::Joint& source) {
@@ -151,19 +120,20 @@ class ChainReader {
   }
 
   void place_links() {
-    place_above(chain_.front());
+    place_above(chain_.top);
     list_link(document_.model->getRoot());
     std::vector<bool> has_shapes;
     for (const Link& link : parts_.links) has_shapes.push_back(!link.collision.empty());
     parts_.adjacent_links = adjacent_link_pairs(has_shapes, connections_);
   }
 
-  /// Everything above the base stands still; its own joints are frozen.
-  void place_above(const urdf::LinkConstSharedPtr& base) {
-    urdf::LinkConstSharedPtr link = base;
+  /// Everything above the chain goes with its top; its own joints are frozen.
+  void place_above(const urdf::LinkConstSharedPtr& top) {
+    urdf::LinkConstSharedPtr link = top;
     while (const urdf::LinkConstSharedPtr parent = link->getParent()) {
-      const Pose child = placements_.at(link->name).pose;
-      placements_[parent->name] = {-1, child * frozen_transform(*link->parent_joint).inverse()};
+      const Placement child = placements_.at(link->name);
+      placements_[parent->name] = {child.joint,
+                                   child.pose * frozen_transform(*link->parent_joint).inverse()};
       link = parent;
     }
   }
@@ -218,7 +188,7 @@ class ChainReader {
   UrdfDocument document_;
   MeshFolders mesh_folders_;
   std::map<std::string, JointLimits> limits_;
-  std::vector<urdf::LinkConstSharedPtr> chain_;  // base to tip
+  LinkChain chain_;
   std::set<std::string> on_chain_;               // joint names
   std::map<std::string, Placement> placements_;  // by link name
   std::vector<LinkConnection> connections_;

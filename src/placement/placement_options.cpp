@@ -45,6 +45,20 @@ void validate_objects(const PlacementRequest& request) {
   }
 }
 
+/// What is placed is moved in the base frame.
+void refuse_moving_parts(const Problem& problem) {
+  const Robot& robot = *problem.robot;
+  if (robot.part_link() != robot.base_link())
+    throw InvalidInput("placement", "the part is on '" + robot.part_link() + "'",
+                       "path.link left out: a part that stands in the base link");
+  for (const SceneObject& object : problem.scene.objects) {
+    if (object.link.empty() || object.link == robot.base_link()) continue;
+    throw InvalidInput("placement",
+                       "object '" + object.name + "' is fixed to '" + object.link + "'",
+                       "objects that stand in the base link");
+  }
+}
+
 void expect(bool is_valid, const char* option, double value, const char* expected) {
   if (!is_valid)
     throw InvalidInput(std::string("placement.") + option, fmt::format("{}", value), expected);
@@ -60,6 +74,7 @@ void validate(const PlacementRequest& request) {
   const PlacementOptions& options = request.options;
   validate_region(options);
   validate_objects(request);
+  if (request.problem.robot) refuse_moving_parts(request.problem);
   expect_not_negative("weights.speed", options.speed_weight);
   expect_not_negative("weights.singularity", options.singularity_weight);
   expect_not_negative("weights.clearance", options.clearance_weight);

@@ -23,8 +23,7 @@ constexpr std::array<Slowing, 5> kSlowings = {
 
 Robot without_rate_limits(const Robot& robot) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  Robot::Parts parts{robot.name(),  robot.base_link(), robot.tip_link(),       robot.joints(),
-                     robot.links(), robot.tcp(),       robot.adjacent_links(), robot.warnings()};
+  Robot::Parts parts = robot.parts();
   for (Joint& joint : parts.joints) {
     joint.max_velocity = joint.max_acceleration = joint.max_jerk = kNone;
   }
