@@ -11,6 +11,8 @@ import { coordinates, fixed, shown } from './units.js';
 import { View } from './view.js';
 
 const kTimeTolerance = 1e-6;  // s
+const kNear = 0.05;  // m, within which the nearest points are joined by a line
+const kNearClearances = 10;  // or so many required clearances
 
 const $ = (id) => document.getElementById(id);
 
@@ -109,10 +111,12 @@ function restingPosture() {
   return data.robot.joints.map(({ lower, upper }) => Math.min(Math.max(0, lower ?? 0), upper ?? 0));
 }
 
+/** Of the two bodies, [] where they are far from each other. */
 function nearestPoints(motion, t) {
   const { time, clearance } = motion.samples;
   if (!clearance) return [];
   const i = nearestIndex(time, t);
+  if (clearance.distance[i] > Math.max(kNearClearances * data.clearance, kNear)) return [];
   return clearance.points.slice(6 * i, 6 * i + 6);
 }
 
