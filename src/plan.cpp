@@ -99,6 +99,7 @@ class Pipeline {
     clearance_ = std::make_shared<const ClearanceModel>(problem_.robot, problem_.scene);
     result_.permanent_contacts = clearance_->permanent_contacts();
     result_.warnings = problem_.robot->warnings();
+    append(problem_.scene.warnings, result_.warnings);
   }
 
   /// Stage 1. Without a path to the end, the best partial one and a diagnosis.

@@ -376,25 +376,5 @@ TEST(ResolveMesh, SearchesPackagesAndRelativePaths) {
   EXPECT_TRUE(says(missing, "package://other/a.stl") && says(missing, folder.path().string()));
 }
 
-TEST(DisabledCollisions, AreReadFromAnSrdf) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("robot.srdf", R"(<robot name="cell"><group name="g"/>
-    <disable_collisions link1="a" link2="b" reason="Adjacent"/>
-    <disable_collisions link1="a" link2="c"/></robot>)");
-  EXPECT_EQ(load_disabled_collisions(file), (std::vector<LinkNames>{{"a", "b"}, {"a", "c"}}));
-}
-
-TEST(DisabledCollisions, FaultsAreRefused) {
-  const TemporaryFolder folder;
-  const auto message = [&](const std::string& text) {
-    return invalid_input([&] { load_disabled_collisions(folder.write("robot.srdf", text)); });
-  };
-  EXPECT_TRUE(says(message("<robot>\n<disable_collisions link1=\"a\"/></robot>"),
-                   "robot.srdf:2: disable_collisions has no link2"));
-  EXPECT_TRUE(says(message("<robot><a></robot>"), "not valid XML"));
-  EXPECT_TRUE(says(message("<scene/>"), "no <robot>"));
-  EXPECT_TRUE(says(invalid_input([] { load_disabled_collisions("nowhere.srdf"); }), "no such"));
-}
-
 }  // namespace
 }  // namespace wristwise

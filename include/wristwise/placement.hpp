@@ -64,7 +64,7 @@ struct PlacementRequest {
 
 /// Reads a problem file with its `placement` section (docs/problem-file.md).
 /// @throws InvalidInput with file, key and what was expected; where there is no such section.
-PlacementRequest load_placement(const std::filesystem::path& file);
+PlacementRequest load_placement(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// What a placement is worth.
 struct PlacementMeasure {

@@ -27,8 +27,12 @@ struct Problem {
   std::vector<std::filesystem::path> files;  ///< that it was read from
 };
 
+struct LoadOptions {
+  bool mesh_cache = true;  ///< keep the pieces of meshes in .wristwise_cache beside the problem
+};
+
 /// Reads a problem file (docs/problem-file.md). Paths in it are relative to the file.
 /// @throws InvalidInput with file, key and what was expected.
-Problem load_problem(const std::filesystem::path& file);
+Problem load_problem(const std::filesystem::path& file, const LoadOptions& options = {});
 
 }  // namespace wristwise

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,8 @@ struct SceneObject {
   std::string name;
   std::vector<Shape> shapes;  ///< poses in the frame of `link`
   std::string link = {};      ///< of the robot, to which it is fixed; empty: the base link
+  /// Of a mesh cut into convex pieces: m, no point of a shape is farther from the object.
+  std::optional<double> convex_error = {};
 };
 
 enum class CollisionScope {
@@ -30,7 +33,8 @@ struct Scene {
   std::vector<Names> disabled;  ///< never measured (SRDF's disable_collisions)
   /// Find the pairs that are in contact at every sampled posture, and leave them out by name.
   bool find_permanent_contacts = true;
-  double clearance = 0;  ///< m, the least signed distance that is accepted
+  double clearance = 0;               ///< m, the least signed distance that is accepted
+  std::vector<std::string> warnings;  ///< what the reader of the scene should know
 };
 
 }  // namespace wristwise

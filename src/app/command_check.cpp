@@ -12,7 +12,7 @@
 namespace wristwise::app {
 
 int run_check(const CheckCommand& command, const Settings& settings) {
-  const Problem problem = load_problem(command.problem);
+  const Problem problem = load_problem(command.problem, load_options(settings));
   const TrajectoryFile file = read_trajectory(command.trajectory, joint_names(*problem.robot));
   Verification verification;
   {

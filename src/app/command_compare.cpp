@@ -12,7 +12,7 @@ namespace wristwise::app {
 
 int run_compare(const CompareCommand& command, const Settings& settings) {
   const std::filesystem::path folder = output_folder(command.out, command.problem);
-  const Loader load = [&] { return load_problem(command.problem); };
+  const Loader load = [&] { return load_problem(command.problem, load_options(settings)); };
   const PlanningRun graph_only = run_planner(load, Mode::graph_only, plan_graph_only, settings);
   write_result(folder / "graph-only", graph_only.result, graph_only.problem);
   if (graph_only.exit_code == kInterrupted || graph_only.exit_code == kInternalError)

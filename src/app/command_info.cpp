@@ -6,6 +6,7 @@
 #include "app/commands.hpp"
 #include "app/exit_code.hpp"
 #include "app/text_table.hpp"
+#include "wristwise/error.hpp"
 #include "wristwise/inverse_kinematics.hpp"
 #include "wristwise/urdf.hpp"
 
@@ -51,12 +52,18 @@ std::string body_table(const Robot& robot) {
 }  // namespace
 
 int run_info(const InfoCommand& command) {
+  if (!command.group.empty() && command.srdf.empty())
+    throw InvalidInput("--group", "there is no SRDF to look it up in", "--srdf FILE");
   RobotSource source;
   source.urdf = command.urdf;
   source.base_link = command.base_link;
   source.part_link = command.part_link;
   source.tip_link = command.tip_link;
   source.limits = command.limits;
+  source.srdf = command.srdf;
+  source.group = command.group;
+  source.packages = command.packages;
+  source.visual_as_collision = command.collision_from == "visual";
   source.require_velocity_limits = false;
   const auto robot = std::make_shared<const Robot>(load_robot(source));
   const InverseKinematicsFound found = find_redundant_inverse_kinematics(robot);

@@ -34,7 +34,7 @@ PlacementResult run(const PlacementRequest& request, const PlanOptions& options,
 
 int run_place(const PlaceCommand& command, const Settings& settings) {
   const std::filesystem::path folder = output_folder(command.out, command.problem);
-  const PlacementRequest request = load_placement(command.problem);
+  const PlacementRequest request = load_placement(command.problem, load_options(settings));
   Console console(settings);
   int exit_code = kInternalError;
   const PlacementResult result = run(request, console.plan_options(request.problem), exit_code);

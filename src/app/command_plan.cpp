@@ -12,7 +12,7 @@ namespace wristwise::app {
 int run_plan(const PlanCommand& command, const Settings& settings) {
   const std::filesystem::path folder = output_folder(command.out, command.problem);
   const bool graph_only = command.mode == mode_name(Mode::graph_only);
-  const Loader load = [&] { return load_problem(command.problem); };
+  const Loader load = [&] { return load_problem(command.problem, load_options(settings)); };
   const PlanningRun run = graph_only
                               ? run_planner(load, Mode::graph_only, plan_graph_only, settings)
                               : run_planner(load, Mode::two_stage, plan, settings);

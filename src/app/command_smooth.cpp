@@ -79,9 +79,9 @@ JointPath read_joint_path(const SmoothCommand& command, const Robot& robot) {
   return read_trajectory(command.joints, joint_names(robot)).path;
 }
 
-SmoothingProblem load_with_problem(const SmoothCommand& command) {
+SmoothingProblem load_with_problem(const SmoothCommand& command, const Settings& settings) {
   SmoothingProblem loaded;
-  loaded.problem = load_problem(command.problem);
+  loaded.problem = load_problem(command.problem, load_options(settings));
   loaded.path = read_joint_path(command, *loaded.problem.robot);
   if (const auto time = read_smoothing_time(command.smoothing_time))
     loaded.problem.refine.smoothing_time = *time;
@@ -108,7 +108,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
   std::vector<std::string> warnings;
   const Loader load = [&] {
     SmoothingProblem loaded =
-        with_problem ? load_with_problem(command) : load_without_problem(command);
+        with_problem ? load_with_problem(command, settings) : load_without_problem(command);
     path = std::move(loaded.path);
     warnings = std::move(loaded.warnings);
     loaded.problem.files.push_back(command.joints);

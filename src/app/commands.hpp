@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/settings.hpp"
 #include "wristwise/plan.hpp"
@@ -54,7 +55,10 @@ int run_place(const PlaceCommand& command, const Settings& settings);
 struct InfoCommand {
   std::filesystem::path urdf;
   std::string base_link, part_link, tip_link;
-  std::filesystem::path limits;
+  std::filesystem::path limits, srdf;
+  std::string group;
+  std::vector<std::filesystem::path> packages;
+  std::string collision_from = "collision";
 };
 int run_info(const InfoCommand& command);
 

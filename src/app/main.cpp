@@ -23,7 +23,7 @@ void print_error(std::string message) {
 
 CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& purpose) {
   CLI::App& command = *program.add_subcommand(name, purpose);
-  command.footer("--quiet and --threads N go with every command.");
+  command.footer("--quiet, --threads N and --no-cache go with every command.");
   return command;
 }
 
@@ -36,6 +36,8 @@ class CommandLine {
     program_.add_flag("--quiet", settings_.quiet, "No progress and no log lines");
     program_.add_option("--threads", settings_.threads, "Threads; 0, the default: one per core")
         ->check(CLI::Range(0, kMostThreads));
+    program_.add_flag("--no-cache", settings_.no_cache,
+                      "Read meshes afresh, write no .wristwise_cache beside the problem");
     add_plan();
     add_smooth();
     add_check();
@@ -142,6 +144,14 @@ class CommandLine {
     command.add_option("--part", info_.part_link, "Link of the part; default: the base link");
     command.add_option("--tip", info_.tip_link, "Tip link; default: of the longest chain");
     command.add_option("--limits", info_.limits, "Joint limits (YAML)");
+    command.add_option("--srdf", info_.srdf, "SRDF, for --group and disabled pairs");
+    command.add_option("--group", info_.group, "Group of the SRDF: gives base and tip");
+    command.add_option("--package", info_.packages,
+                       "Folder for package://, before ROS_PACKAGE_PATH; may be repeated");
+    command
+        .add_option("--collision-from", info_.collision_from,
+                    "visual: links without collision shapes take their visual ones")
+        ->check(CLI::IsMember({"collision", "visual"}));
     command.callback([this] { action_ = [this] { return run_info(info_); }; });
   }
 

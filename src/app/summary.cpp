@@ -122,8 +122,13 @@ std::string peak_lines(const PlanResult& result, const Problem& problem) {
   return aligned(rows, 0);
 }
 
-std::string note_lines(const PlanResult& result) {
+std::string note_lines(const PlanResult& result, const Problem& problem) {
   std::string text;
+  for (const SceneObject& object : problem.scene.objects) {
+    if (!object.convex_error) continue;
+    text += fmt::format("mesh of {}: {} convex pieces, at most {:.2g} mm beyond it\n", object.name,
+                        object.shapes.size(), 1000 * *object.convex_error);
+  }
   for (const auto& [first, second] : result.permanent_contacts)
     text += fmt::format("left out, in contact at every posture: {} - {}\n", first, second);
   for (const std::string& warning : result.warnings) text += "warning: " + warning + "\n";
@@ -157,7 +162,7 @@ std::string summary(const PlanResult& result, const Problem& problem,
   text += graph_lines(result) + refine_lines(result);
   text += result.before ? smoothing_table(result, problem) : peak_lines(result, problem);
   if (result.verification.run) text += verification_table(result.verification, problem);
-  text += slowed_lines(result, problem) + note_lines(result) + timing_line(result.timing);
+  text += slowed_lines(result, problem) + note_lines(result, problem) + timing_line(result.timing);
   return text + "written to " + folder.string() + "\n";
 }
 

@@ -6,6 +6,7 @@ extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
 
+#include "collision/hull_planes.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/mesh.hpp"
 
@@ -58,18 +59,6 @@ std::vector<std::array<int, 3>> triangles_of(qhT* qh) {
     if (count == 3) triangles.push_back(triangle);
   }
   return triangles;
-}
-
-double volume_of(const ConvexHull& hull) {
-  double sixfold = 0;
-  for (const auto& [i, j, k] : hull.triangles) {
-    const Eigen::Vector3d& origin = hull.vertices.front();
-    const Eigen::Vector3d a = hull.vertices[static_cast<std::size_t>(i)] - origin;
-    const Eigen::Vector3d b = hull.vertices[static_cast<std::size_t>(j)] - origin;
-    const Eigen::Vector3d c = hull.vertices[static_cast<std::size_t>(k)] - origin;
-    sixfold += a.dot(b.cross(c));
-  }
-  return sixfold / 6;
 }
 
 double area_of(const ConvexHull& hull) {
@@ -129,7 +118,7 @@ ConvexHull convex_hull(const std::vector<Eigen::Vector3d>& points, const std::st
   ConvexHull hull = compacted(points, triangles_of(qhull.state()));
 
   // Qhull orders all facets alike; whether that is outward, the sign of the volume tells.
-  double volume = volume_of(hull);
+  double volume = hull_volume(hull);
   if (volume < 0) {
     volume = -volume;
     for (auto& triangle : hull.triangles) std::swap(triangle[1], triangle[2]);

@@ -1,82 +1,43 @@
 #include "wristwise/mesh.hpp"
 
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
+#include <cmath>
 
-#include <assimp/Importer.hpp>
-#include <exception>
-
-#include "collision/mesh_pieces.hpp"
+#include "collision/mesh_body.hpp"
+#include "collision/mesh_cache.hpp"
+#include "collision/mesh_file.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
 
 namespace {
 
-void append(const aiMesh& mesh, const Eigen::Vector3d& scale, const std::string& where,
-            TriangleSoup& soup) {
-  const int offset = static_cast<int>(soup.vertices.size());
-  for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-    const aiVector3D& p = mesh.mVertices[v];
-    const Eigen::Vector3d vertex = scale.cwiseProduct(Eigen::Vector3d(p.x, p.y, p.z));
-    if (!vertex.allFinite()) {
-      throw InvalidInput(where, "a vertex is not finite", "coordinates that are numbers");
-    }
-    soup.vertices.push_back(vertex);
+void require_sense(const Eigen::Vector3d& scale, const MeshOptions& options,
+                   const std::string& where) {
+  if (!scale.allFinite() || (scale.array() == 0).any()) {
+    throw InvalidInput(where, "a scale is zero or not finite", "a number for each axis");
   }
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    if (face.mNumIndices != 3) continue;  // points and lines
-    std::array<int, 3> triangle{};
-    for (unsigned c = 0; c < 3; ++c) triangle[c] = offset + static_cast<int>(face.mIndices[c]);
-    soup.triangles.push_back(triangle);
+  const double error = options.convex_error.value_or(1);
+  if (!std::isfinite(error) || error <= 0) {
+    throw InvalidInput(where, "convex_error is " + std::to_string(error), "a length above zero");
   }
-}
-
-TriangleSoup read_triangles(const std::filesystem::path& file, const Eigen::Vector3d& scale,
-                            const std::string& where) {
-  Assimp::Importer importer;
-  // As ROS reads COLLADA: a robot description states the orientation itself.
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  const aiScene* scene = importer.ReadFile(
-      file.string(), static_cast<unsigned>(aiProcess_Triangulate | aiProcess_PreTransformVertices));
-  if (!scene) {
-    throw InvalidInput(where, std::string("cannot be read: ") + importer.GetErrorString(),
-                       "a mesh, for example STL, OBJ or DAE");
-  }
-  TriangleSoup soup;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(*scene->mMeshes[m], scale, where, soup);
-  if (soup.triangles.empty()) throw InvalidInput(where, "no triangles", "a mesh with a volume");
-  return soup;
-}
-
-std::vector<ConvexHull> hull_of_each(const std::vector<std::vector<Eigen::Vector3d>>& pieces,
-                                     const std::string& where) {
-  std::vector<ConvexHull> hulls;
-  hulls.reserve(pieces.size());
-  for (const auto& piece : pieces) hulls.push_back(convex_hull(piece, where));
-  return hulls;
 }
 
 }  // namespace
 
-std::vector<ConvexHull> load_mesh(const std::filesystem::path& file, const Eigen::Vector3d& scale) {
+MeshBody load_mesh(const std::filesystem::path& file, const Eigen::Vector3d& scale,
+                   const MeshOptions& options) {
   const std::string where = file.string();
-  if (!scale.allFinite() || (scale.array() == 0).any()) {
-    throw InvalidInput(where, "a scale is zero or not finite", "a number for each axis");
+  require_sense(scale, options, where);
+  const MeshCache cache(file, scale, options);
+  if (auto known = cache.find()) return std::move(*known);
+  TriangleMesh mesh = read_mesh_file(file, options.turn_up_axis);
+  for (Eigen::Vector3d& vertex : mesh.vertices) {
+    vertex = vertex.cwiseProduct(scale);
+    if (!vertex.allFinite()) throw InvalidInput(where, "a vertex is not finite", "a lesser scale");
   }
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw InvalidInput(where, "no such file", "a mesh file");
-  }
-  const TriangleSoup soup = read_triangles(file, scale, where);
-  try {
-    return hull_of_each(connected_pieces(soup), where);
-  } catch (const InvalidInput&) {
-    // Loose triangles have no hull of their own, and must not be lost: one hull round everything.
-    return {convex_hull(soup.vertices, where)};
-  }
+  MeshBody body = mesh_body(mesh, options, where);
+  cache.keep(body);
+  return body;
 }
 
 }  // namespace wristwise

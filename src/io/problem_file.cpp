@@ -6,6 +6,8 @@ namespace wristwise {
 
 namespace {
 
+constexpr const char* kCacheFolder = ".wristwise_cache";
+
 double read_controller_period(const ConfigReader& reader) {
   reader.expect_keys({"period"});
   const auto period = reader.find("period");
@@ -20,7 +22,7 @@ std::string read_part_link(const ConfigReader& path) {
 
 }  // namespace
 
-ProblemSections read_problem(const std::filesystem::path& file) {
+ProblemSections read_problem(const std::filesystem::path& file, const LoadOptions& options) {
   const ConfigNode root = read_yaml(file);
   const ConfigReader reader(root, file);
   reader.expect_keys(
@@ -30,10 +32,12 @@ ProblemSections read_problem(const std::filesystem::path& file) {
   Problem& problem = sections.problem;
   problem.name = file.stem().string();
   const ConfigReader path = reader.at("path");
-  RobotSection robot = read_robot(reader.at("robot"), read_part_link(path));
+  std::filesystem::path cache;
+  if (options.mesh_cache) cache = file.parent_path() / kCacheFolder;
+  RobotSection robot = read_robot(reader.at("robot"), read_part_link(path), cache);
   problem.robot = std::move(robot.robot);
   problem.inverse_kinematics = std::move(robot.inverse_kinematics);
-  problem.scene = read_scene(reader.find("scene"), *problem.robot, robot.packages);
+  problem.scene = read_scene(reader.find("scene"), *problem.robot, robot.packages, cache);
   if (robot.disabled) {
     problem.scene.disabled = std::move(*robot.disabled);
     problem.scene.find_permanent_contacts = false;
@@ -51,10 +55,12 @@ ProblemSections read_problem(const std::filesystem::path& file) {
   return sections;
 }
 
-Problem load_problem(const std::filesystem::path& file) { return read_problem(file).problem; }
+Problem load_problem(const std::filesystem::path& file, const LoadOptions& options) {
+  return read_problem(file, options).problem;
+}
 
-PlacementRequest load_placement(const std::filesystem::path& file) {
-  ProblemSections sections = read_problem(file);
+PlacementRequest load_placement(const std::filesystem::path& file, const LoadOptions& options) {
+  ProblemSections sections = read_problem(file, options);
   if (!sections.placement)
     throw InvalidInput(file.string(), "the section 'placement' is missing",
                        "placement: {move: part, with: all, x: 0.1, y: 0.1} or the like");

@@ -5,6 +5,7 @@
 #include "io/config_reader.hpp"
 #include "io/path_section.hpp"
 #include "wristwise/inverse_kinematics.hpp"
+#include "wristwise/mesh.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/placement.hpp"
 #include "wristwise/robot.hpp"
@@ -31,14 +32,19 @@ struct RobotSection {
   std::optional<std::vector<Scene::Names>> disabled;  ///< given where there is an SRDF
 };
 /// @param part_link carries the part; empty: the base link
-RobotSection read_robot(const ConfigReader& reader, const std::string& part_link);
+/// @param mesh_cache folder; empty: none
+RobotSection read_robot(const ConfigReader& reader, const std::string& part_link,
+                        const std::filesystem::path& mesh_cache);
+
+/// How far the pieces of a concave mesh may reach beyond it; nullopt for `off`.
+std::optional<double> read_convex_error(const ConfigReader& reader);
 
 /// Of the values of a joint, by its index.
 Quantity joint_quantity(const Robot& robot, std::size_t joint);
 
 /// @param reader empty where the file has no scene
 Scene read_scene(const std::optional<ConfigReader>& reader, const Robot& robot,
-                 const Packages& packages);
+                 const Packages& packages, const std::filesystem::path& mesh_cache);
 
 CostOptions read_cost(const ConfigReader& reader, const Robot& robot);
 GraphOptions read_graph(const ConfigReader& reader, const Robot& robot);
@@ -51,6 +57,6 @@ struct ProblemSections {
   PathSection path;
   std::optional<PlacementOptions> placement;
 };
-ProblemSections read_problem(const std::filesystem::path& file);
+ProblemSections read_problem(const std::filesystem::path& file, const LoadOptions& options);
 
 }  // namespace wristwise

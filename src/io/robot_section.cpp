@@ -92,9 +92,15 @@ std::shared_ptr<const InverseKinematics> read_ik(const ConfigReader& reader,
 
 }  // namespace
 
-RobotSection read_robot(const ConfigReader& reader, const std::string& part_link) {
+std::optional<double> read_convex_error(const ConfigReader& reader) {
+  if (reader.is_word("off")) return std::nullopt;
+  return reader.positive(Quantity::length);
+}
+
+RobotSection read_robot(const ConfigReader& reader, const std::string& part_link,
+                        const std::filesystem::path& mesh_cache) {
   reader.expect_keys({"urdf", "base_link", "tip_link", "tool", "limits", "joint_ranges", "srdf",
-                      "packages", "ik"});
+                      "group", "packages", "collision_from", "convex_error", "ik"});
   RobotSource source;
   if (const auto packages = reader.find("packages"))
     for (const ConfigReader& folder : packages->items())
@@ -106,6 +112,16 @@ RobotSection read_robot(const ConfigReader& reader, const std::string& part_link
   if (const auto tool = reader.find("tool")) source.tool = read_pose(*tool);
   if (const auto limits = reader.find("limits"))
     source.limits = find_file(*limits, source.packages);
+  if (const auto srdf = reader.find("srdf")) source.srdf = find_file(*srdf, source.packages);
+  if (const auto group = reader.find("group")) {
+    if (source.srdf.empty()) group->fail("there is no srdf to look it up in", "srdf: FILE");
+    source.group = group->text();
+  }
+  if (const auto from = reader.find("collision_from"))
+    source.visual_as_collision = from->choice({"collision", "visual"}) == "visual";
+  if (const auto error = reader.find("convex_error"))
+    source.meshes.convex_error = read_convex_error(*error);
+  source.meshes.cache = mesh_cache;
 
   RobotSection section;
   section.packages = source.packages;
@@ -115,8 +131,8 @@ RobotSection read_robot(const ConfigReader& reader, const std::string& part_link
   for (const std::filesystem::path& file : robot_files(source)) reader.uses_file(file);
   if (const auto ik = reader.find("ik"))
     section.inverse_kinematics = read_ik(*ik, section.robot, source.packages);
-  if (const auto srdf = reader.find("srdf"))
-    section.disabled = load_disabled_collisions(find_file(*srdf, source.packages));
+  if (!source.srdf.empty())
+    section.disabled = load_disabled_collisions(source.srdf, *section.robot);
   return section;
 }
 

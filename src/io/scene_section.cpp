@@ -9,6 +9,7 @@ namespace wristwise {
 namespace {
 
 const std::vector<std::string> kShapes = {"box", "cylinder", "sphere", "mesh"};
+constexpr double kConvexError = 0.002;  // m
 
 double read_size(const ConfigReader& reader) { return reader.positive(Quantity::length); }
 
@@ -20,22 +21,31 @@ Eigen::Vector3d read_scale(const std::optional<ConfigReader>& reader) {
           parts[2].positive(Quantity::number)};
 }
 
-std::vector<Geometry> read_geometry(const ConfigReader& object, const std::string& shape,
-                                    const Packages& packages) {
+MeshBody read_mesh(const ConfigReader& object, const Packages& packages,
+                   const std::filesystem::path& mesh_cache) {
+  MeshOptions options;
+  options.convex_error = kConvexError;
+  options.turn_up_axis = true;
+  options.cache = mesh_cache;
+  if (const auto error = object.find("convex_error"))
+    options.convex_error = read_convex_error(*error);
+  if (const auto sheet = object.find("sheet"))
+    options.sheet = sheet->choice({"true", "false"}) == "true";
+  return load_mesh(find_file(object.at("mesh"), packages), read_scale(object.find("scale")),
+                   options);
+}
+
+Geometry read_geometry(const ConfigReader& object, const std::string& shape) {
   const ConfigReader reader = object.at(shape);
   if (shape == "box") {
     const auto sizes = reader.items(3, "[x, y, z], the full edge lengths in m");
-    return {Box{{read_size(sizes[0]), read_size(sizes[1]), read_size(sizes[2])}}};
+    return Box{{read_size(sizes[0]), read_size(sizes[1]), read_size(sizes[2])}};
   }
   if (shape == "cylinder") {
     const auto sizes = reader.items(2, "[radius, length] in m");
-    return {Cylinder{read_size(sizes[0]), read_size(sizes[1])}};
+    return Cylinder{read_size(sizes[0]), read_size(sizes[1])};
   }
-  if (shape == "sphere") return {Sphere{read_size(reader)}};
-  std::vector<Geometry> geometries;
-  for (ConvexHull& hull : load_mesh(find_file(reader, packages), read_scale(object.find("scale"))))
-    geometries.emplace_back(std::move(hull));
-  return geometries;
+  return Sphere{read_size(reader)};
 }
 
 std::string read_link(const ConfigReader& reader, const Robot& robot) {
@@ -46,16 +56,20 @@ std::string read_link(const ConfigReader& reader, const Robot& robot) {
   reader.fail("no link '" + name + "'", "one of the robot, such as " + similar_names(name, known));
 }
 
-SceneObject read_object(const ConfigReader& reader, const Robot& robot, const Packages& packages) {
-  reader.expect_keys({"name", "link", "box", "cylinder", "sphere", "mesh", "scale", "xyz", "rpy"});
+SceneObject read_object(const ConfigReader& reader, const Robot& robot, const Packages& packages,
+                        const std::filesystem::path& mesh_cache,
+                        std::vector<std::string>& warnings) {
+  reader.expect_keys({"name", "link", "box", "cylinder", "sphere", "mesh", "scale", "convex_error",
+                      "sheet", "xyz", "rpy"});
   std::vector<std::string> given;
   for (const std::string& shape : kShapes)
     if (reader.find(shape)) given.push_back(shape);
   if (given.size() != 1)
     reader.fail(given.empty() ? "no shape" : "both " + given[0] + " and " + given[1],
                 "one of box, cylinder, sphere, mesh");
-  if (const auto scale = reader.find("scale"); scale && given[0] != "mesh")
-    scale->fail("only a mesh has a scale");
+  for (const char* key : {"scale", "convex_error", "sheet"})
+    if (const auto of_mesh = reader.find(key); of_mesh && given[0] != "mesh")
+      of_mesh->fail("only a mesh has this key");
 
   SceneObject object;
   object.name = reader.at("name").text();
@@ -65,8 +79,15 @@ SceneObject read_object(const ConfigReader& reader, const Robot& robot, const Pa
   if (const auto position = reader.find("xyz")) xyz = position->vector(Quantity::length);
   if (const auto angles = reader.find("rpy")) rpy = read_rpy(*angles);
   const Pose pose = pose_from_xyz_rpy(xyz, rpy);
-  for (Geometry& geometry : read_geometry(reader, given[0], packages))
-    object.shapes.push_back({std::move(geometry), pose});
+  if (given[0] != "mesh") {
+    object.shapes.push_back({read_geometry(reader, given[0]), pose});
+    return object;
+  }
+  MeshBody body = read_mesh(reader, packages, mesh_cache);
+  for (ConvexHull& piece : body.pieces) object.shapes.push_back({std::move(piece), pose});
+  object.convex_error = body.error;
+  for (const std::string& warning : body.warnings)
+    warnings.push_back("object '" + object.name + "': " + warning);
   return object;
 }
 
@@ -111,13 +132,13 @@ void read_collision(const ConfigReader& reader, const Robot& robot, Scene& scene
 }  // namespace
 
 Scene read_scene(const std::optional<ConfigReader>& reader, const Robot& robot,
-                 const Packages& packages) {
+                 const Packages& packages, const std::filesystem::path& mesh_cache) {
   Scene scene;
   if (!reader) return scene;
   reader->expect_keys({"collision", "objects", "clearance"});
   if (const auto objects = reader->find("objects")) {
     for (const ConfigReader& item : objects->items()) {
-      SceneObject object = read_object(item, robot, packages);
+      SceneObject object = read_object(item, robot, packages, mesh_cache, scene.warnings);
       const std::vector<std::string> taken = body_names(robot, scene.objects);
       if (std::find(taken.begin(), taken.end(), object.name) != taken.end())
         item.at("name").fail("'" + object.name + "' is the name of another link or object");

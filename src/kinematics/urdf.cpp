@@ -12,6 +12,7 @@
 
 #include "kinematics/joint_limits.hpp"
 #include "kinematics/link_adjacency.hpp"
+#include "kinematics/srdf_group.hpp"
 #include "kinematics/urdf_chain.hpp"
 #include "kinematics/urdf_collision.hpp"
 #include "kinematics/urdf_document.hpp"
@@ -28,9 +29,10 @@ class ChainReader {
   explicit ChainReader(const RobotSource& source)
       : source_(source),
         where_(source.urdf.string()),
-        document_(read_urdf(source.urdf)),
+        document_(read_urdf(source.urdf, source.visual_as_collision)),
         mesh_folders_{source.urdf.parent_path(), source.packages} {
     parts_.warnings = document_.warnings;
+    if (!source.srdf.empty()) read_semantics();
     if (source.limits.empty()) return;
     limits_ = read_joint_limits(source.limits);
     warn_of_strange_limits();
@@ -49,6 +51,18 @@ class ChainReader {
     int joint = -1;
     Pose pose = Pose::Identity();
   };
+
+  /// A group gives the ends of the chain that the source does not give.
+  void read_semantics() {
+    const Srdf srdf = read_srdf(source_.srdf);
+    for (std::string& warning : srdf_warnings(srdf, *document_.model, source_.srdf)) {
+      parts_.warnings.push_back(std::move(warning));
+    }
+    if (source_.group.empty()) return;
+    const auto [base, tip] = chain_of_group(srdf, source_.group, *document_.model, source_.srdf);
+    if (source_.base_link.empty()) source_.base_link = base;
+    if (source_.tip_link.empty()) source_.tip_link = tip;
+  }
 
   /// A misspelt joint would otherwise go without its limits unnoticed.
   void warn_of_strange_limits() {
@@ -139,8 +153,9 @@ class ChainReader {
   }
 
   Pose frozen_transform(const urdf::Joint& joint) {
-    warn_of_frozen(joint);
-    return pose_from_urdf(joint.parent_to_joint_origin_transform) * frozen_motion(joint);
+    const double position = frozen_position(joint, *document_.model);
+    warn_of_frozen(joint, position);
+    return pose_from_urdf(joint.parent_to_joint_origin_transform) * motion_at(joint, position);
   }
 
   /// Lists the link, then all below it; returns its index.
@@ -148,7 +163,9 @@ class ChainReader {
     const Placement placement = placements_.at(link->name);
     const int index = static_cast<int>(parts_.links.size());
     std::vector<Shape> shapes;
-    if (source_.read_collision_shapes) shapes = collision_shapes(*link, mesh_folders_, where_);
+    if (source_.read_collision_shapes) {
+      shapes = collision_shapes(*link, mesh_folders_, source_.meshes, where_, parts_.warnings);
+    }
     parts_.links.push_back({link->name, placement.joint, placement.pose, std::move(shapes)});
     for (std::size_t i = 0; i < link->child_links.size(); ++i) {
       const urdf::Joint& joint = *link->child_joints[i];
@@ -163,12 +180,25 @@ class ChainReader {
     return index;
   }
 
-  void warn_of_frozen(const urdf::Joint& joint) {
+  void warn_of_frozen(const urdf::Joint& joint, double position) {
     if (!is_movable(joint)) return;
     char text[64];
-    std::snprintf(text, sizeof text, "%.6g", frozen_position(joint));
-    parts_.warnings.push_back("joint '" + joint.name + "' (" + type_name(joint) +
-                              ") is not on the chain and is held at " + text);
+    std::snprintf(text, sizeof text, "%.6g", position);
+    const std::string named = "joint '" + joint.name + "' (" + type_name(joint) + ")";
+    parts_.warnings.push_back(
+        follows_the_chain(joint)
+            ? named + " mimics '" + joint.mimic->joint_name +
+                  "', which moves: the links beyond are not moved along, but held at " + text
+            : named + " is not on the chain and is held at " + text);
+  }
+
+  bool follows_the_chain(const urdf::Joint& joint) const {
+    urdf::JointConstSharedPtr followed;
+    for (const urdf::Joint* at = &joint; at->mimic; at = followed.get()) {
+      followed = document_.model->getJoint(at->mimic->joint_name);
+      if (on_chain_.count(followed->name) > 0) return true;
+    }
+    return false;
   }
 
   void warn_of_oddities() {
@@ -181,9 +211,27 @@ class ChainReader {
     const bool shapes = std::any_of(parts_.links.begin(), parts_.links.end(),
                                     [](const Link& link) { return !link.collision.empty(); });
     if (!shapes) parts_.warnings.emplace_back("no link has a collision shape");
+    if (source_.read_collision_shapes) warn_of_visuals();
   }
 
-  const RobotSource& source_;
+  void warn_of_visuals() {
+    const std::vector<std::string>& names = document_.only_visual;
+    if (names.empty()) return;
+    constexpr std::size_t kMostNamed = 5;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
+      text += (i == 0 ? "'" : ", '") + names[i] + "'";
+    }
+    if (names.size() > kMostNamed) {
+      text += " and " + std::to_string(names.size() - kMostNamed) + " more";
+    }
+    parts_.warnings.push_back("links without collision shapes: " + text +
+                              (source_.visual_as_collision
+                                   ? "; their visual ones are used"
+                                   : "; collision_from: visual would use their visual ones"));
+  }
+
+  RobotSource source_;
   std::string where_;
   UrdfDocument document_;
   MeshFolders mesh_folders_;

@@ -24,7 +24,14 @@ LinkPtr find_link(const urdf::ModelInterface& model, const std::string& name,
                      "a link of the URDF such as " + similar_names(name, names));
 }
 
+/// Not a joint on which no chain can be planned.
+bool is_passable(const urdf::Joint& joint) {
+  const bool unusable = joint.type == urdf::Joint::PLANAR || joint.type == urdf::Joint::FLOATING;
+  return !unusable && !joint.mimic;
+}
+
 /// The leaf below `base` with the most movable joints on its way; of those the one farthest down.
+/// What hangs on a joint that is not passable does not count.
 LinkPtr longest_chain_tip(const LinkPtr& base) {
   struct Reached {
     LinkPtr link;
@@ -35,13 +42,16 @@ LinkPtr longest_chain_tip(const LinkPtr& base) {
   while (!open.empty()) {
     const Reached at = open.back();
     open.pop_back();
-    const bool leaf = at.link->child_joints.empty();
+    const auto& joints = at.link->child_joints;
+    const bool leaf = std::none_of(joints.begin(), joints.end(),
+                                   [](const auto& joint) { return is_passable(*joint); });
     if (leaf && (at.length > best.length ||
                  (at.length == best.length && at.link->name < best.link->name))) {
       best = at;
     }
     for (std::size_t i = 0; i < at.link->child_links.size(); ++i) {
-      const int movable = is_movable(*at.link->child_joints[i]) ? 1 : 0;
+      if (!is_passable(*joints[i])) continue;
+      const int movable = is_movable(*joints[i]) ? 1 : 0;
       open.push_back({at.link->child_links[i], {at.length.first + movable, at.length.second + 1}});
     }
   }

@@ -4,42 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
+#include "kinematics/package_search.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/mesh.hpp"
 
 namespace wristwise {
 namespace {
 
-std::vector<std::filesystem::path> ros_package_path() {
-  std::vector<std::filesystem::path> folders;
-  const char* variable = std::getenv("ROS_PACKAGE_PATH");
-  if (variable == nullptr) return folders;
-  const std::string text = variable;
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find(':', start), text.size());
-    if (end > start) folders.emplace_back(text.substr(start, end - start));
-    start = end + 1;
-  }
-  return folders;
-}
-
-/// A folder may contain the package's folder, or be it.
-std::vector<std::filesystem::path> package_candidates(const std::string& path,
-                                                      const MeshFolders& folders) {
+std::vector<std::filesystem::path> files_in_package(const std::string& path,
+                                                    const MeshFolders& folders) {
   const std::size_t slash = std::min(path.find('/'), path.size());
-  const std::string package = path.substr(0, slash);
   const std::string rest = slash < path.size() ? path.substr(slash + 1) : std::string();
-  std::vector<std::filesystem::path> candidates;
-  std::vector<std::filesystem::path> searched = folders.packages;
-  for (const auto& folder : ros_package_path()) searched.push_back(folder);
-  for (const std::filesystem::path& folder : searched) {
-    candidates.push_back(folder / package / rest);
-    const auto normal = (folder / "").lexically_normal().parent_path();
-    if (normal.filename() == package) candidates.push_back(normal / rest);
+  std::vector<std::filesystem::path> files;
+  for (const auto& folder : package_candidates(path.substr(0, slash), folders.packages)) {
+    files.push_back(folder / rest);
   }
-  return candidates;
+  return files;
 }
 
 std::vector<std::filesystem::path> mesh_candidates(const std::string& uri,
@@ -50,7 +31,7 @@ std::vector<std::filesystem::path> mesh_candidates(const std::string& uri,
   const std::string scheme = uri.substr(0, scheme_end);
   const std::string path = uri.substr(scheme_end + 3);
   if (scheme == "file") return {folders.urdf_folder / path};
-  if (scheme == "package") return package_candidates(path, folders);
+  if (scheme == "package") return files_in_package(path, folders);
   throw InvalidInput(where, "mesh '" + uri + "' has an unknown scheme",
                      "package://, file:// or a path relative to the URDF");
 }
@@ -69,42 +50,54 @@ Eigen::Vector3d checked_size(const urdf::Vector3& size, const std::string& where
   return v;
 }
 
-std::vector<Geometry> mesh_geometries(const urdf::Mesh& mesh, const MeshFolders& folders,
-                                      const std::string& where) {
-  const Eigen::Vector3d scale = vector_from_urdf(mesh.scale);
-  if (!scale.allFinite() || (scale.array() == 0).any()) {
-    throw InvalidInput(where, "mesh scale is zero or not finite", "three factors");
-  }
-  std::vector<Geometry> geometries;
-  for (ConvexHull& hull : load_mesh(resolve_mesh(mesh.filename, folders, where), scale)) {
-    geometries.emplace_back(std::move(hull));
-  }
-  return geometries;
-}
+/// Reads the geometries of one link.
+class LinkGeometries {
+ public:
+  LinkGeometries(const MeshFolders& folders, const MeshOptions& meshes, std::string where,
+                 std::vector<std::string>& warnings)
+      : folders_(folders), meshes_(meshes), where_(std::move(where)), warnings_(warnings) {}
 
-std::vector<Geometry> geometries_from_urdf(const urdf::Geometry& geometry,
-                                           const MeshFolders& folders, const std::string& where) {
-  switch (geometry.type) {
-    case urdf::Geometry::BOX: {
-      const auto& box = dynamic_cast<const urdf::Box&>(geometry);
-      return {Box{checked_size(box.dim, where, "box size")}};
+  std::vector<Geometry> read(const urdf::Geometry& geometry) const {
+    switch (geometry.type) {
+      case urdf::Geometry::BOX: {
+        const auto& box = dynamic_cast<const urdf::Box&>(geometry);
+        return {Box{checked_size(box.dim, where_, "box size")}};
+      }
+      case urdf::Geometry::SPHERE: {
+        const auto& sphere = dynamic_cast<const urdf::Sphere&>(geometry);
+        require_positive(sphere.radius, where_, "sphere radius");
+        return {Sphere{sphere.radius}};
+      }
+      case urdf::Geometry::CYLINDER: {
+        const auto& cylinder = dynamic_cast<const urdf::Cylinder&>(geometry);
+        require_positive(cylinder.radius, where_, "cylinder radius");
+        require_positive(cylinder.length, where_, "cylinder length");
+        return {Cylinder{cylinder.radius, cylinder.length}};
+      }
+      case urdf::Geometry::MESH:
+        return read_mesh(dynamic_cast<const urdf::Mesh&>(geometry));
     }
-    case urdf::Geometry::SPHERE: {
-      const auto& sphere = dynamic_cast<const urdf::Sphere&>(geometry);
-      require_positive(sphere.radius, where, "sphere radius");
-      return {Sphere{sphere.radius}};
-    }
-    case urdf::Geometry::CYLINDER: {
-      const auto& cylinder = dynamic_cast<const urdf::Cylinder&>(geometry);
-      require_positive(cylinder.radius, where, "cylinder radius");
-      require_positive(cylinder.length, where, "cylinder length");
-      return {Cylinder{cylinder.radius, cylinder.length}};
-    }
-    case urdf::Geometry::MESH:
-      return mesh_geometries(dynamic_cast<const urdf::Mesh&>(geometry), folders, where);
+    throw InvalidInput(where_, "unknown collision geometry", "box, cylinder, sphere or mesh");
   }
-  throw InvalidInput(where, "unknown collision geometry", "box, cylinder, sphere or mesh");
-}
+
+ private:
+  std::vector<Geometry> read_mesh(const urdf::Mesh& mesh) const {
+    const Eigen::Vector3d scale = vector_from_urdf(mesh.scale);
+    if (!scale.allFinite() || (scale.array() == 0).any()) {
+      throw InvalidInput(where_, "mesh scale is zero or not finite", "three factors");
+    }
+    MeshBody body = load_mesh(resolve_mesh(mesh.filename, folders_, where_), scale, meshes_);
+    for (std::string& warning : body.warnings) warnings_.push_back(std::move(warning));
+    std::vector<Geometry> geometries;
+    for (ConvexHull& piece : body.pieces) geometries.emplace_back(std::move(piece));
+    return geometries;
+  }
+
+  const MeshFolders& folders_;
+  const MeshOptions& meshes_;
+  std::string where_;
+  std::vector<std::string>& warnings_;
+};
 
 }  // namespace
 
@@ -130,13 +123,15 @@ Pose pose_from_urdf(const urdf::Pose& pose) {
 }
 
 std::vector<Shape> collision_shapes(const urdf::Link& link, const MeshFolders& folders,
-                                    const std::string& where) {
+                                    const MeshOptions& meshes, const std::string& where,
+                                    std::vector<std::string>& warnings) {
+  const std::string here = where + ": link '" + link.name + "'";
+  const LinkGeometries geometries(folders, meshes, here, warnings);
   std::vector<Shape> shapes;
   for (const urdf::CollisionSharedPtr& collision : link.collision_array) {
-    const std::string here = where + ": link '" + link.name + "'";
     if (!collision || !collision->geometry) throw InvalidInput(here, "a collision has no geometry");
     const Pose pose = pose_from_urdf(collision->origin);
-    for (Geometry& geometry : geometries_from_urdf(*collision->geometry, folders, here)) {
+    for (Geometry& geometry : geometries.read(*collision->geometry)) {
       shapes.push_back({std::move(geometry), pose});
     }
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wristwise/geometry.hpp"
+#include "wristwise/mesh.hpp"
 
 namespace urdf {
 class Pose;
@@ -27,7 +28,9 @@ std::filesystem::path resolve_mesh(const std::string& uri, const MeshFolders& fo
 Pose pose_from_urdf(const urdf::Pose& pose);
 
 /// The collision shapes of a link, in the link frame.
+/// @param warnings what is to be said of its meshes is added
 std::vector<Shape> collision_shapes(const urdf::Link& link, const MeshFolders& folders,
-                                    const std::string& where);
+                                    const MeshOptions& meshes, const std::string& where,
+                                    std::vector<std::string>& warnings);
 
 }  // namespace wristwise

@@ -7,6 +7,7 @@
 #include <exception>
 #include <mutex>
 
+#include "kinematics/urdf_cleaning.hpp"
 #include "wristwise/error.hpp"
 
 namespace wristwise {
@@ -121,13 +122,15 @@ void require_all_collisions(const TiXmlElement& robot, const urdf::ModelInterfac
 
 }  // namespace
 
-UrdfDocument read_urdf(const std::filesystem::path& file) {
+UrdfDocument read_urdf(const std::filesystem::path& file, bool visual_as_collision) {
   TiXmlDocument document;
   load_xml(document, file);
   TiXmlElement* robot = document.FirstChildElement("robot");
   if (robot == nullptr) throw InvalidInput(file.string(), "no <robot> element", "a URDF file");
 
+  require_expanded_tree(*robot, file.string());
   UrdfDocument result;
+  result.only_visual = clean_urdf(*robot, visual_as_collision);
   result.declared = complete_all_limits(*robot);
   TiXmlPrinter printer;
   document.Accept(&printer);

@@ -19,11 +19,13 @@ struct DeclaredLimits {
 struct UrdfDocument {
   urdf::ModelInterfaceSharedPtr model;
   std::map<std::string, DeclaredLimits> declared;  ///< by joint name
-  std::vector<std::string> warnings;               ///< of the parser
+  std::vector<std::string> only_visual;  ///< links with visual but without collision elements
+  std::vector<std::string> warnings;     ///< of the parser
 };
 
 /// Reads a URDF with urdfdom. Joints may lack limits: `declared` tells.
+/// @param visual_as_collision links without a collision element take their visual ones
 /// @throws InvalidInput with the parser's own words.
-UrdfDocument read_urdf(const std::filesystem::path& file);
+UrdfDocument read_urdf(const std::filesystem::path& file, bool visual_as_collision = false);
 
 }  // namespace wristwise

@@ -1,6 +1,7 @@
 #include "kinematics/urdf_joint.hpp"
 
 #include <urdf_model/joint.h>
+#include <urdf_model/model.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,12 @@ void set_velocity_limit(Joint& joint, const urdf::Joint& source, bool declared,
   }
 }
 
+double nearest_to_zero(const urdf::Joint& joint) {
+  const bool bounded = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::PRISMATIC;
+  if (!bounded || !joint.limits || !(joint.limits->lower <= joint.limits->upper)) return 0;
+  return std::clamp(0.0, joint.limits->lower, joint.limits->upper);
+}
+
 }  // namespace
 
 bool is_movable(const urdf::Joint& joint) { return joint.type != urdf::Joint::FIXED; }
@@ -121,14 +128,27 @@ Joint joint_from_urdf(const urdf::Joint& source, const DeclaredLimits& declared,
   return joint;
 }
 
-double frozen_position(const urdf::Joint& joint) {
-  const bool bounded = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::PRISMATIC;
-  if (!bounded || !joint.limits || !(joint.limits->lower <= joint.limits->upper)) return 0;
-  return std::clamp(0.0, joint.limits->lower, joint.limits->upper);
+double frozen_position(const urdf::Joint& joint, const urdf::ModelInterface& model) {
+  double factor = 1, sum = 0;
+  const urdf::Joint* at = &joint;
+  for (std::size_t passed = 0; at->mimic; ++passed) {
+    const std::string here = "joint '" + joint.name + "'";
+    sum += factor * at->mimic->offset;
+    factor *= at->mimic->multiplier;
+    const urdf::JointConstSharedPtr followed = model.getJoint(at->mimic->joint_name);
+    if (!followed) {
+      throw InvalidInput(here, "mimics '" + at->mimic->joint_name + "', which is no joint",
+                         "a joint of the URDF");
+    }
+    if (passed > model.joints_.size()) {
+      throw InvalidInput(here, "mimics itself, by way of others", "a joint that moves by itself");
+    }
+    at = followed.get();
+  }
+  return sum + factor * nearest_to_zero(*at);
 }
 
-Pose frozen_motion(const urdf::Joint& joint) {
-  const double position = frozen_position(joint);
+Pose motion_at(const urdf::Joint& joint, double position) {
   Pose motion = Pose::Identity();
   if (position == 0) return motion;
   const Eigen::Vector3d axis = axis_from_urdf(joint, "joint '" + joint.name + "'");

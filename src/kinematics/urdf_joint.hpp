@@ -1,6 +1,7 @@
 #pragma once
 
 #include <urdf_model/types.h>
+#include <urdf_world/types.h>
 
 #include <string>
 #include <vector>
@@ -23,8 +24,11 @@ Joint joint_from_urdf(const urdf::Joint& joint, const DeclaredLimits& declared,
                       const JointLimits& file, bool require_velocity, const std::string& where,
                       std::vector<std::string>& warnings);
 
-/// What a frozen joint does to its child: its motion at zero, or at the limit nearest to zero.
-double frozen_position(const urdf::Joint& joint);
-Pose frozen_motion(const urdf::Joint& joint);
+/// Where a joint that does not move is held: at zero, or at the limit nearest to zero; a mimic
+/// joint where that puts it. @throws InvalidInput where it mimics no joint, or itself.
+double frozen_position(const urdf::Joint& joint, const urdf::ModelInterface& model);
+
+/// What the joint does to its child at a position (rad or m).
+Pose motion_at(const urdf::Joint& joint, double position);
 
 }  // namespace wristwise

@@ -85,10 +85,12 @@ INSTANTIATE_TEST_SUITE_P(Modes, InBothModes, testing::Bool(), [](const auto& two
   return two_stage.param ? "TwoStage" : "GraphOnly";
 });
 
-/// A coordinate of the tolerance closed, in the problem and so in its grid.
-std::string reason_without(int coordinate) {
+/// A coordinate of the tolerance closed on a piece of the seam, in the problem and so in its grid.
+std::string reason_without(int coordinate, std::ptrdiff_t first, std::ptrdiff_t last) {
   Problem problem = shipped("seven_axis_t_joint");
   problem.graph.try_relaxations = false;
+  const std::vector<Waypoint> whole = problem.task.waypoints;
+  problem.task.waypoints.assign(whole.begin() + first, whole.begin() + last + 1);
   for (Waypoint& waypoint : problem.task.waypoints)
     waypoint.tolerance.lower[coordinate] = waypoint.tolerance.upper[coordinate] = 0;
   const PlanResult result = plan_graph_only(problem);
@@ -97,8 +99,8 @@ std::string reason_without(int coordinate) {
 }
 
 TEST(SevenAxisTJoint, NeedsItsWorkAngleUnderTheClampAndItsTravelAngleAtTheGusset) {
-  EXPECT_NE(reason_without(4).find("torch - clamp"), std::string::npos);
-  EXPECT_NE(reason_without(3).find("torch - gusset"), std::string::npos);
+  EXPECT_NE(reason_without(4, 20, 24).find("torch - clamp"), std::string::npos);
+  EXPECT_NE(reason_without(3, 40, 42).find("torch - gusset"), std::string::npos);
 }
 
 /// Joint 3 is sampled in stage 1 only: stage 2 moves it with the others.
