@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "wristwise/options.hpp"
 #include "wristwise/robot.hpp"
@@ -23,6 +24,7 @@ struct Problem {
   GraphOptions graph;
   RefineOptions refine;
   double controller_period = 0.004;  ///< s, spacing of trajectory_dense.csv
+  std::vector<std::filesystem::path> files;  ///< that it was read from
 };
 
 struct LoadOptions {

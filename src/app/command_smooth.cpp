@@ -9,6 +9,8 @@
 #include "app/summary.hpp"
 #include "io/quantity.hpp"
 #include "io/result_file.hpp"
+#include "kinematics/robot_files.hpp"
+#include "report/report.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/smoothing.hpp"
 #include "wristwise/trajectory_file.hpp"
@@ -91,6 +93,7 @@ SmoothingProblem load_without_problem(const SmoothCommand& command) {
   const auto robot = std::make_shared<const Robot>(load_robot(robot_source(command)));
   SmoothingProblem loaded = smoothing_problem(robot, read_joint_path(command, *robot), options);
   loaded.problem.name = command.joints.stem().string();
+  loaded.problem.files = robot_files(robot_source(command));
   return loaded;
 }
 
@@ -108,6 +111,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
         with_problem ? load_with_problem(command, settings) : load_without_problem(command);
     path = std::move(loaded.path);
     warnings = std::move(loaded.warnings);
+    loaded.problem.files.push_back(command.joints);
     return std::move(loaded.problem);
   };
   const Planner repair = [&](const Problem& problem, const PlanOptions& options) {
@@ -117,6 +121,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
   };
   const PlanningRun run = run_planner(load, Mode::smooth, repair, settings);
   write_result(folder, run.result, run.problem);
+  if (!command.no_report) write_report(folder, {run.problem, run.result, nullptr, run.inputs});
   fmt::print("{}", summary(run.result, run.problem, folder));
   return run.exit_code;
 }

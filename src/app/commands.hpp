@@ -14,6 +14,7 @@ struct PlanCommand {
   std::filesystem::path problem;
   std::string mode = "two-stage";
   std::filesystem::path out;  ///< empty: out/<problem>
+  bool no_report = false;
 };
 int run_plan(const PlanCommand& command, const Settings& settings);
 
@@ -27,6 +28,7 @@ struct SmoothCommand {
   std::filesystem::path limits;
   std::string keep;  ///< "0.5mm,0.5deg"
   bool no_self_collision = false;
+  bool no_report = false;
 };
 int run_smooth(const SmoothCommand& command, const Settings& settings);
 
@@ -40,6 +42,7 @@ int run_check(const CheckCommand& command, const Settings& settings);
 struct CompareCommand {
   std::filesystem::path problem;
   std::filesystem::path out;
+  bool no_report = false;
 };
 int run_compare(const CompareCommand& command, const Settings& settings);
 

@@ -73,6 +73,10 @@ class CommandLine {
     command.add_option("--out", out, "Folder for the results; default: out/<problem>");
   }
 
+  void add_no_report(CLI::App& command, bool& no_report) {
+    command.add_flag("--no-report", no_report, "Write no report.html");
+  }
+
   void add_problem(CLI::App& command, std::filesystem::path& problem) {
     command.add_option("PROBLEM", problem, "Problem file (YAML)")->required();
   }
@@ -83,6 +87,7 @@ class CommandLine {
     command.add_option("--mode", plan_.mode, "two-stage (default) or graph-only")
         ->check(CLI::IsMember({"two-stage", "graph-only"}));
     add_out(command, plan_.out);
+    add_no_report(command, plan_.no_report);
     command.callback([this] { action_ = [this] { return run_plan(plan_, settings_); }; });
   }
 
@@ -104,6 +109,7 @@ class CommandLine {
                        "How far the TCP may be moved and turned, such as 0.5mm,0.5deg");
     command.add_flag("--no-self-collision", smooth_.no_self_collision,
                      "Don't keep the links clear of each other, don't read their meshes");
+    add_no_report(command, smooth_.no_report);
     command.callback([this] { action_ = [this] { return run_smooth(smooth_, settings_); }; });
   }
 
@@ -119,6 +125,7 @@ class CommandLine {
     CLI::App& command = add_command(program_, "compare", "Graph-only beside two-stage");
     add_problem(command, compare_.problem);
     add_out(command, compare_.out);
+    add_no_report(command, compare_.no_report);
     command.callback([this] { action_ = [this] { return run_compare(compare_, settings_); }; });
   }
 

@@ -39,10 +39,6 @@ std::vector<std::string> joint_names(const Problem& problem) {
   return joints;
 }
 
-Task task_as_run(const PlanResult& result, const Problem& problem) {
-  return result.seam_time.empty() ? problem.task : problem.task.retimed(result.seam_time);
-}
-
 std::string printed(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -73,6 +69,10 @@ std::string status_name(Status status) {
       break;
   }
   return "failed";
+}
+
+Task task_as_run(const PlanResult& result, const Problem& problem) {
+  return result.seam_time.empty() ? problem.task : problem.task.retimed(result.seam_time);
 }
 
 std::string verification_json(const Verification& verification, const Problem& problem) {
