@@ -11,7 +11,7 @@ packages=(build-essential cmake ninja-build libeigen3-dev libceres-dev libfcl-de
 with_tests=OFF
 targets=(wristwise_app)
 if [ "${1:-}" = tests ]; then
-  packages+=(libgtest-dev libbullet-dev libbenchmark-dev)
+  packages+=(libgtest-dev libbullet-dev libbenchmark-dev chromium chromium-driver python3-selenium)
   with_tests=ON
   targets=(all)
 fi

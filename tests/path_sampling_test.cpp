@@ -91,6 +91,17 @@ TEST(SamplePath, CountsWhatIsOutOfReachAndWhatBreaksALimit) {
   }
 }
 
+TEST(SamplePath, SamplesThePartOfTheToleranceThatIsAskedFor) {
+  Sampling part;
+  part.task.waypoints[1].sampled = sampled_box();
+  part.task.waypoints[1].tolerance = sampled_box().widened(0.001, 0.02);
+  const SampledPath sampled = part.run();
+  EXPECT_EQ(sampled.counts[1].samples, 25U);
+  EXPECT_EQ(sampled.counts[2].samples, 25U);
+  part.task.waypoints[1].sampled.reset();
+  EXPECT_GT(part.run().counts[1].samples, 25U * 81U);  // -, 0 and + of four more coordinates
+}
+
 TEST(SamplePath, AddsEveryTurnInsideTheLimits) {
   Sampling sampling;
   sampling.parts.joints[3].lower = -6.5;

@@ -89,6 +89,11 @@ TEST(RunIn, WaypointsDoNotWeldAndAreWider) {
     EXPECT_EQ(waypoint.welding, is_weld) << waypoint.time;
     EXPECT_NEAR(waypoint.tolerance.upper[2], is_weld ? 0.002 : 0.003, 1e-15);
     EXPECT_NEAR(waypoint.tolerance.lower[4], is_weld ? 0 : -kDegree, 1e-15);
+    ASSERT_EQ(waypoint.sampled.has_value(), !is_weld);
+    if (waypoint.sampled) {
+      EXPECT_EQ(waypoint.sampled->upper, task.waypoints[4].tolerance.upper);
+      EXPECT_EQ(waypoint.sampled->lower, task.waypoints[4].tolerance.lower);
+    }
     before += waypoint.time < 0;
     after += waypoint.time > 10;
     welding += waypoint.welding;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "wristwise/export_options.hpp"
 #include "wristwise/options.hpp"
@@ -25,6 +26,7 @@ struct Problem {
   RefineOptions refine;
   double controller_period = 0.004;  ///< s, spacing of trajectory_dense.csv
   ExportOptions exports;
+  std::vector<std::filesystem::path> files;  ///< that it was read from
 };
 
 struct LoadOptions {

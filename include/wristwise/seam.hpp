@@ -89,6 +89,7 @@ struct Waypoint {
   ToleranceBox tolerance;          ///< also for the stretch that ends here
   std::optional<JointBox> joints;  ///< given: a joint waypoint; its tolerance is unused
   bool welding = true;             ///< false: of the run-in or the run-out
+  std::optional<ToleranceBox> sampled;  ///< the part that stage 1 samples; not given: all
 };
 
 /// What to do where a joint can't keep up with the weld speed.

@@ -6,6 +6,7 @@
 #include "app/output_folder.hpp"
 #include "app/planning_run.hpp"
 #include "io/result_file.hpp"
+#include "report/report.hpp"
 
 namespace wristwise::app {
 
@@ -18,6 +19,9 @@ int run_compare(const CompareCommand& command, const Settings& settings) {
     return graph_only.exit_code;
   const PlanningRun two_stage = run_planner(load, Mode::two_stage, plan, settings);
   write_result(folder / "two-stage", two_stage.result, two_stage.problem);
+  if (!command.no_report)
+    write_report(folder,
+                 {two_stage.problem, two_stage.result, &graph_only.result, two_stage.inputs});
   fmt::print("{}written to {}\n",
              comparison_table(graph_only.result, two_stage.result, graph_only.problem),
              folder.string());

@@ -6,6 +6,7 @@
 #include "app/planning_run.hpp"
 #include "app/summary.hpp"
 #include "io/result_file.hpp"
+#include "report/report.hpp"
 
 namespace wristwise::app {
 
@@ -22,6 +23,7 @@ int run_plan(const PlanCommand& command, const Settings& settings) {
                               ? run_planner(load, Mode::graph_only, plan_graph_only, settings)
                               : run_planner(load, Mode::two_stage, plan, settings);
   write_result(folder, run.result, run.problem);
+  if (!command.no_report) write_report(folder, {run.problem, run.result, nullptr, run.inputs});
   fmt::print("{}{}", summary(run.result, run.problem, folder),
              write_exports(formats, folder, run.result, run.problem));
   return run.exit_code;

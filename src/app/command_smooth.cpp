@@ -9,6 +9,8 @@
 #include "app/summary.hpp"
 #include "io/quantity.hpp"
 #include "io/result_file.hpp"
+#include "kinematics/robot_files.hpp"
+#include "report/report.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/program_file.hpp"
 #include "wristwise/smoothing.hpp"
@@ -91,6 +93,7 @@ SmoothingProblem load_without_problem(const SmoothCommand& command) {
       smoothing_problem(robot, read_joint_path(command.joints, *robot, {}), options);
   loaded.problem.name = command.joints.stem().string();
   loaded.problem.exports.weld = false;  // nothing says where it welds
+  loaded.problem.files = robot_files(robot_source(command));
   return loaded;
 }
 
@@ -110,6 +113,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
     path = std::move(loaded.path);
     warnings = std::move(loaded.warnings);
     check_exports(formats, loaded.problem);
+    loaded.problem.files.push_back(command.joints);
     return std::move(loaded.problem);
   };
   const Planner repair = [&](const Problem& problem, const PlanOptions& options) {
@@ -119,6 +123,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
   };
   const PlanningRun run = run_planner(load, Mode::smooth, repair, settings);
   write_result(folder, run.result, run.problem);
+  if (!command.no_report) write_report(folder, {run.problem, run.result, nullptr, run.inputs});
   fmt::print("{}{}", summary(run.result, run.problem, folder),
              write_exports(formats, folder, run.result, run.problem));
   return run.exit_code;

@@ -15,6 +15,7 @@ struct PlanCommand {
   std::string mode = "two-stage";
   std::filesystem::path out;  ///< empty: out/<problem>
   std::vector<std::string> exports;
+  bool no_report = false;
 };
 int run_plan(const PlanCommand& command, const Settings& settings);
 
@@ -29,6 +30,7 @@ struct SmoothCommand {
   std::string keep;  ///< "0.5mm,0.5deg"
   bool no_self_collision = false;
   std::vector<std::string> exports;
+  bool no_report = false;
 };
 int run_smooth(const SmoothCommand& command, const Settings& settings);
 
@@ -42,6 +44,7 @@ int run_check(const CheckCommand& command, const Settings& settings);
 struct CompareCommand {
   std::filesystem::path problem;
   std::filesystem::path out;
+  bool no_report = false;
 };
 int run_compare(const CompareCommand& command, const Settings& settings);
 

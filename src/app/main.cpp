@@ -73,6 +73,10 @@ class CommandLine {
     command.add_option("--out", out, "Folder for the results; default: out/<problem>");
   }
 
+  void add_no_report(CLI::App& command, bool& no_report) {
+    command.add_flag("--no-report", no_report, "Write no report.html");
+  }
+
   void add_problem(CLI::App& command, std::filesystem::path& problem) {
     command.add_option("PROBLEM", problem, "Problem file (YAML)")->required();
   }
@@ -92,6 +96,7 @@ class CommandLine {
         ->check(CLI::IsMember({"two-stage", "graph-only"}));
     add_out(command, plan_.out);
     add_export(command, plan_.exports);
+    add_no_report(command, plan_.no_report);
     command.callback([this] { action_ = [this] { return run_plan(plan_, settings_); }; });
   }
 
@@ -116,6 +121,7 @@ class CommandLine {
     command.add_flag("--no-self-collision", smooth_.no_self_collision,
                      "Don't keep the links clear of each other, don't read their meshes");
     add_export(command, smooth_.exports);
+    add_no_report(command, smooth_.no_report);
     command.callback([this] { action_ = [this] { return run_smooth(smooth_, settings_); }; });
   }
 
@@ -131,6 +137,7 @@ class CommandLine {
     CLI::App& command = add_command(program_, "compare", "Graph-only beside two-stage");
     add_problem(command, compare_.problem);
     add_out(command, compare_.out);
+    add_no_report(command, compare_.no_report);
     command.callback([this] { action_ = [this] { return run_compare(compare_, settings_); }; });
   }
 

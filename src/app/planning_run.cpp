@@ -35,6 +35,7 @@ PlanningRun run_planner(const Loader& load, Mode mode, const Planner& planner,
   const Clock::time_point start = Clock::now();
   try {
     run.problem = load();
+    run.inputs = input_files(run.problem.files);
     const double load_time = seconds_since(start);
     run.result = planner(run.problem, console.plan_options(run.problem));
     run.result.timing.load = load_time;

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "app/settings.hpp"
+#include "io/input_file.hpp"
 #include "wristwise/plan.hpp"
 
 namespace wristwise::app {
@@ -13,6 +14,7 @@ using Planner = std::function<PlanResult(const Problem&, const PlanOptions&)>;
 
 struct PlanningRun {
   Problem problem;  ///< empty where reading it failed
+  std::vector<InputFile> inputs;
   PlanResult result;
   int exit_code = 0;
 };

@@ -86,10 +86,11 @@ class WaypointSampler {
     positions_.clear();
     costs_.clear();
     if (waypoint.joints) return joint_rung(*waypoint.joints, counts);
-    if (!grid_ || !grid_->is_of(waypoint.tolerance)) {
-      const std::vector<Vector6> grid = waypoint_grid(waypoint.tolerance, input_.options);
+    const ToleranceBox& box = waypoint.sampled ? *waypoint.sampled : waypoint.tolerance;
+    if (!grid_ || !grid_->is_of(box)) {
+      const std::vector<Vector6> grid = waypoint_grid(box, input_.options);
       refuse_too_many(grid.size());
-      grid_.emplace(waypoint.tolerance, grid, input_.cost);
+      grid_.emplace(box, grid, input_.cost);
     }
     return sample_grid(waypoint, *grid_, counts);
   }

@@ -68,6 +68,7 @@ class WiderTolerance : public Relaxation {
         if (waypoint.joints || waypoint.tolerance.is_free(coordinate_)) continue;
         waypoint.tolerance = wider(waypoint.tolerance, step);
         waypoint.tolerance.validate("");
+        if (waypoint.sampled) waypoint.sampled = wider(*waypoint.sampled, step);
       }
       if (!has_step_) trial.options.step[coordinate_] = step_size(step);
     } catch (const InvalidInput&) {

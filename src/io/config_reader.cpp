@@ -46,7 +46,7 @@ void ConfigReader::expect_keys(const std::vector<std::string>& known) const {
   if (!is_map()) fail(shown(*node_), fmt::format("keys: {}", fmt::join(known, ", ")));
   for (const auto& [key, value] : node_->entries) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const ConfigReader unknown(value, file_, path_.empty() ? key : path_ + "." + key);
+    const ConfigReader unknown(*this, value, path_.empty() ? key : path_ + "." + key);
     unknown.fail(
         fmt::format("unknown key, the nearest known key is {}", similar_names(key, known, 1)),
         fmt::format("one of {}", fmt::join(known, ", ")));
@@ -55,7 +55,7 @@ void ConfigReader::expect_keys(const std::vector<std::string>& known) const {
 
 std::optional<ConfigReader> ConfigReader::find(const std::string& key) const {
   for (const auto& [name, value] : node_->entries)
-    if (name == key) return ConfigReader(value, file_, path_.empty() ? key : path_ + "." + key);
+    if (name == key) return ConfigReader(*this, value, path_.empty() ? key : path_ + "." + key);
   return std::nullopt;
 }
 
@@ -68,7 +68,7 @@ std::vector<ConfigReader> ConfigReader::items() const {
   if (!is_list()) fail(shown(*node_), "a list");
   std::vector<ConfigReader> readers;
   for (std::size_t i = 0; i < node_->items.size(); ++i)
-    readers.push_back(ConfigReader(node_->items[i], file_, fmt::format("{}[{}]", path_, i)));
+    readers.push_back(ConfigReader(*this, node_->items[i], fmt::format("{}[{}]", path_, i)));
   return readers;
 }
 
@@ -127,6 +127,7 @@ std::filesystem::path ConfigReader::existing_file() const {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) fail("no such file: " + path.string());
   if (std::filesystem::is_directory(path, error)) fail(path.string() + " is a folder", "a file");
+  uses_file(path);
   return path;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,9 @@ class ConfigReader {
  public:
   /// @param root must outlive the reader and all readers made from it
   ConfigReader(const ConfigNode& root, const std::filesystem::path& file)
-      : node_(&root), file_(file) {}
+      : node_(&root),
+        file_(file),
+        files_(std::make_shared<std::vector<std::filesystem::path>>(1, file)) {}
 
   /// "file:line: key"
   std::string where() const;
@@ -47,13 +50,18 @@ class ConfigReader {
   std::filesystem::path existing_file() const;
   std::filesystem::path relative_path() const;
 
+  /// The file itself and those that it names: existing_file() and uses_file() add to them.
+  const std::vector<std::filesystem::path>& files() const { return *files_; }
+  void uses_file(const std::filesystem::path& file) const { files_->push_back(file); }
+
  private:
-  ConfigReader(const ConfigNode& node, const std::filesystem::path& file, std::string path)
-      : node_(&node), file_(file), path_(std::move(path)) {}
+  ConfigReader(const ConfigReader& above, const ConfigNode& node, std::string path)
+      : node_(&node), file_(above.file_), path_(std::move(path)), files_(above.files_) {}
 
   const ConfigNode* node_;
   std::filesystem::path file_;
   std::string path_;
+  std::shared_ptr<std::vector<std::filesystem::path>> files_;  ///< of all readers of the file
 };
 
 }  // namespace wristwise

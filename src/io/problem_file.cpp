@@ -53,6 +53,7 @@ ProblemSections read_problem(const std::filesystem::path& file, const LoadOption
     problem.controller_period = read_controller_period(*controller);
   if (const auto placement = reader.find("placement"))
     sections.placement = read_placement(*placement, problem.scene);
+  problem.files = reader.files();
   return sections;
 }
 

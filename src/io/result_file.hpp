@@ -11,6 +11,9 @@ namespace wristwise {
 std::string mode_name(Mode mode);
 std::string status_name(Status status);
 
+/// The problem's task by the time law of the result.
+Task task_as_run(const PlanResult& result, const Problem& problem);
+
 /// The waypoints of the weld, without run-in and run-out.
 std::size_t waypoint_count(const PlanResult& result, const Problem& problem);
 

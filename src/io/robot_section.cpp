@@ -2,6 +2,7 @@
 
 #include "io/problem_sections.hpp"
 #include "kinematics/partial_chain.hpp"
+#include "kinematics/robot_files.hpp"
 #include "kinematics/urdf_collision.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/ikfast_inverse_kinematics.hpp"
@@ -54,7 +55,9 @@ Robot with_joint_ranges(const Robot& robot, const ConfigReader& reader) {
 std::filesystem::path find_file(const ConfigReader& reader, const Packages& packages) {
   const std::string uri = reader.text();
   if (uri.rfind("package://", 0) != 0) return reader.existing_file();
-  return resolve_mesh(uri, {{}, packages}, reader.where());
+  const std::filesystem::path file = resolve_mesh(uri, {{}, packages}, reader.where());
+  reader.uses_file(file);
+  return file;
 }
 
 namespace {
@@ -125,6 +128,7 @@ RobotSection read_robot(const ConfigReader& reader, const std::string& part_link
   Robot robot = load_robot(source);
   if (const auto ranges = reader.find("joint_ranges")) robot = with_joint_ranges(robot, *ranges);
   section.robot = std::make_shared<const Robot>(std::move(robot));
+  for (const std::filesystem::path& file : robot_files(source)) reader.uses_file(file);
   if (const auto ik = reader.find("ik"))
     section.inverse_kinematics = read_ik(*ik, section.robot, source.packages);
   if (!source.srdf.empty())

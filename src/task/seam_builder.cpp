@@ -181,6 +181,7 @@ class TaskBuilder {
           task_.seam.real_time(piece.start_time + fraction * (piece.end_time - piece.start_time));
       waypoint.frame = piece.frame_at(fraction);
       waypoint.tolerance = box.widened(kRunPosition, kRunAngle);
+      waypoint.sampled = box;
       waypoint.welding = false;
       waypoints.push_back(std::move(waypoint));
     }
