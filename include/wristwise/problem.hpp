@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "wristwise/export_options.hpp"
 #include "wristwise/options.hpp"
 #include "wristwise/robot.hpp"
 #include "wristwise/scene.hpp"
@@ -24,6 +25,7 @@ struct Problem {
   GraphOptions graph;
   RefineOptions refine;
   double controller_period = 0.004;  ///< s, spacing of trajectory_dense.csv
+  ExportOptions exports;
   std::vector<std::filesystem::path> files;  ///< that it was read from
 };
 

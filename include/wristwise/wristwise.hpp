@@ -2,6 +2,7 @@
 
 #include "wristwise/clearance.hpp"
 #include "wristwise/error.hpp"
+#include "wristwise/export_options.hpp"
 #include "wristwise/geometry.hpp"
 #include "wristwise/ikfast_inverse_kinematics.hpp"
 #include "wristwise/inverse_kinematics.hpp"
@@ -16,7 +17,9 @@
 #include "wristwise/plan.hpp"
 #include "wristwise/pose.hpp"
 #include "wristwise/problem.hpp"
+#include "wristwise/program_file.hpp"
 #include "wristwise/robot.hpp"
+#include "wristwise/robot_program.hpp"
 #include "wristwise/scene.hpp"
 #include "wristwise/seam.hpp"
 #include "wristwise/smoothing.hpp"

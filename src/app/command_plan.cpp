@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "app/exports.hpp"
 #include "app/output_folder.hpp"
 #include "app/planning_run.hpp"
 #include "app/summary.hpp"
@@ -11,14 +12,20 @@ namespace wristwise::app {
 
 int run_plan(const PlanCommand& command, const Settings& settings) {
   const std::filesystem::path folder = output_folder(command.out, command.problem);
+  const std::vector<ProgramFormat> formats = export_formats(command.exports);
   const bool graph_only = command.mode == mode_name(Mode::graph_only);
-  const Loader load = [&] { return load_problem(command.problem, load_options(settings)); };
+  const Loader load = [&] {
+    Problem problem = load_problem(command.problem, load_options(settings));
+    check_exports(formats, problem);
+    return problem;
+  };
   const PlanningRun run = graph_only
                               ? run_planner(load, Mode::graph_only, plan_graph_only, settings)
                               : run_planner(load, Mode::two_stage, plan, settings);
   write_result(folder, run.result, run.problem);
   if (!command.no_report) write_report(folder, {run.problem, run.result, nullptr, run.inputs});
-  fmt::print("{}", summary(run.result, run.problem, folder));
+  fmt::print("{}{}", summary(run.result, run.problem, folder),
+             write_exports(formats, folder, run.result, run.problem));
   return run.exit_code;
 }
 

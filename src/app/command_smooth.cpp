@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
-#include "app/joint_names.hpp"
+#include "app/exports.hpp"
 #include "app/output_folder.hpp"
 #include "app/planning_run.hpp"
 #include "app/summary.hpp"
@@ -12,8 +12,8 @@
 #include "kinematics/robot_files.hpp"
 #include "report/report.hpp"
 #include "wristwise/error.hpp"
+#include "wristwise/program_file.hpp"
 #include "wristwise/smoothing.hpp"
-#include "wristwise/trajectory_file.hpp"
 #include "wristwise/urdf.hpp"
 
 namespace wristwise::app {
@@ -75,14 +75,12 @@ RobotSource robot_source(const SmoothCommand& command) {
   return source;
 }
 
-JointPath read_joint_path(const SmoothCommand& command, const Robot& robot) {
-  return read_trajectory(command.joints, joint_names(robot)).path;
-}
-
 SmoothingProblem load_with_problem(const SmoothCommand& command, const Settings& settings) {
   SmoothingProblem loaded;
   loaded.problem = load_problem(command.problem, load_options(settings));
-  loaded.path = read_joint_path(command, *loaded.problem.robot);
+  const Problem& problem = loaded.problem;
+  loaded.path = read_joint_path(command.joints, *problem.robot, problem.exports,
+                                problem.task.seam.start_time());
   if (const auto time = read_smoothing_time(command.smoothing_time))
     loaded.problem.refine.smoothing_time = *time;
   return loaded;
@@ -91,8 +89,10 @@ SmoothingProblem load_with_problem(const SmoothCommand& command, const Settings&
 SmoothingProblem load_without_problem(const SmoothCommand& command) {
   const SmoothingOptions options = smoothing_options(command);
   const auto robot = std::make_shared<const Robot>(load_robot(robot_source(command)));
-  SmoothingProblem loaded = smoothing_problem(robot, read_joint_path(command, *robot), options);
+  SmoothingProblem loaded =
+      smoothing_problem(robot, read_joint_path(command.joints, *robot, {}), options);
   loaded.problem.name = command.joints.stem().string();
+  loaded.problem.exports.weld = false;  // nothing says where it welds
   loaded.problem.files = robot_files(robot_source(command));
   return loaded;
 }
@@ -104,6 +104,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
   const bool with_problem = !command.problem.empty();
   const std::filesystem::path folder =
       output_folder(command.out, with_problem ? command.problem : command.joints);
+  const std::vector<ProgramFormat> formats = export_formats(command.exports);
   JointPath path;
   std::vector<std::string> warnings;
   const Loader load = [&] {
@@ -111,6 +112,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
         with_problem ? load_with_problem(command, settings) : load_without_problem(command);
     path = std::move(loaded.path);
     warnings = std::move(loaded.warnings);
+    check_exports(formats, loaded.problem);
     loaded.problem.files.push_back(command.joints);
     return std::move(loaded.problem);
   };
@@ -122,7 +124,8 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
   const PlanningRun run = run_planner(load, Mode::smooth, repair, settings);
   write_result(folder, run.result, run.problem);
   if (!command.no_report) write_report(folder, {run.problem, run.result, nullptr, run.inputs});
-  fmt::print("{}", summary(run.result, run.problem, folder));
+  fmt::print("{}{}", summary(run.result, run.problem, folder),
+             write_exports(formats, folder, run.result, run.problem));
   return run.exit_code;
 }
 

@@ -14,6 +14,7 @@ struct PlanCommand {
   std::filesystem::path problem;
   std::string mode = "two-stage";
   std::filesystem::path out;  ///< empty: out/<problem>
+  std::vector<std::string> exports;
   bool no_report = false;
 };
 int run_plan(const PlanCommand& command, const Settings& settings);
@@ -28,6 +29,7 @@ struct SmoothCommand {
   std::filesystem::path limits;
   std::string keep;  ///< "0.5mm,0.5deg"
   bool no_self_collision = false;
+  std::vector<std::string> exports;
   bool no_report = false;
 };
 int run_smooth(const SmoothCommand& command, const Settings& settings);

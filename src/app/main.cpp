@@ -81,12 +81,21 @@ class CommandLine {
     command.add_option("PROBLEM", problem, "Problem file (YAML)")->required();
   }
 
+  void add_export(CLI::App& command, std::vector<std::string>& formats) {
+    command
+        .add_option("--export", formats,
+                    "Robot program too: krl, rapid, ls, trajectory_msgs or moveit; several with "
+                    "commas, or the option again")
+        ->allow_extra_args(false);
+  }
+
   void add_plan() {
     CLI::App& command = add_command(program_, "plan", "Plan a seam");
     add_problem(command, plan_.problem);
     command.add_option("--mode", plan_.mode, "two-stage (default) or graph-only")
         ->check(CLI::IsMember({"two-stage", "graph-only"}));
     add_out(command, plan_.out);
+    add_export(command, plan_.exports);
     add_no_report(command, plan_.no_report);
     command.callback([this] { action_ = [this] { return run_plan(plan_, settings_); }; });
   }
@@ -94,7 +103,9 @@ class CommandLine {
   void add_smooth() {
     CLI::App& command = add_command(program_, "smooth", "Repair an existing joint path");
     command.add_option("PROBLEM", smooth_.problem, "Problem file (YAML); or --urdf and --keep");
-    command.add_option("--joints", smooth_.joints, "Joint path (CSV); its rows are the waypoints")
+    command
+        .add_option("--joints", smooth_.joints,
+                    "Joint path (CSV, YAML of ROS) or program (.src, .mod, .ls) to smooth")
         ->required();
     command.add_option("--out", smooth_.out,
                        "Folder for the results; default: out/<problem> or out/<joint path>");
@@ -109,6 +120,7 @@ class CommandLine {
                        "How far the TCP may be moved and turned, such as 0.5mm,0.5deg");
     command.add_flag("--no-self-collision", smooth_.no_self_collision,
                      "Don't keep the links clear of each other, don't read their meshes");
+    add_export(command, smooth_.exports);
     add_no_report(command, smooth_.no_report);
     command.callback([this] { action_ = [this] { return run_smooth(smooth_, settings_); }; });
   }

@@ -34,7 +34,9 @@ std::vector<std::string> split(const std::string& line) {
 
 }  // namespace
 
-CsvTable::CsvTable(const std::filesystem::path& file) : file_(file.string()) {
+CsvTable::CsvTable(const std::filesystem::path& file, std::vector<std::string> header)
+    : file_(file.string()), header_(std::move(header)), header_line_(1) {
+  const bool named = !header_.empty();
   std::istringstream text(read_text(file));
   std::string line;
   for (int number = 1; std::getline(text, line); ++number) {
@@ -48,7 +50,8 @@ CsvTable::CsvTable(const std::filesystem::path& file) : file_(file.string()) {
     }
     if (cells.size() != header_.size())
       throw InvalidInput(fmt::format("{}:{}", file_, number), fmt::format("{} cells", cells.size()),
-                         fmt::format("{} as in the header", header_.size()));
+                         named ? fmt::format("{}, one for each of `columns`", header_.size())
+                               : fmt::format("{} as in the header", header_.size()));
     rows_.push_back({number, std::move(cells)});
   }
   if (header_.empty()) throw InvalidInput(file_, "empty", "a header and rows");

@@ -12,7 +12,9 @@ namespace wristwise {
 class CsvTable {
  public:
   /// @throws InvalidInput with file and line: missing, no header, a row of another width.
-  explicit CsvTable(const std::filesystem::path& file);
+  explicit CsvTable(const std::filesystem::path& file) : CsvTable(file, {}) {}
+  /// A file whose columns have these names; empty: its first line says them.
+  CsvTable(const std::filesystem::path& file, std::vector<std::string> header);
 
   const std::vector<std::string>& header() const { return header_; }
   std::size_t rows() const { return rows_.size(); }

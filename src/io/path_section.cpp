@@ -14,7 +14,8 @@ void read_between(const ConfigReader& reader, PathSection& path) {
 }
 
 SeamDescription read_description(const ConfigReader& reader, const Pose& part,
-                                 const ToleranceBox& tolerance, const Robot& robot) {
+                                 const ToleranceBox& tolerance, const Robot& robot,
+                                 const ExportOptions& exports) {
   SeamDescription description;
   description.where = reader.where();
   if (const auto speed = reader.find("speed")) description.speed = speed->positive(Quantity::speed);
@@ -27,15 +28,18 @@ SeamDescription read_description(const ConfigReader& reader, const Pose& part,
   if (const auto run_out = reader.find("run_out"))
     description.run_out = read_run(*run_out, "retract");
   const ConfigReader segments = reader.at("segments");
+  const SegmentContext context{robot, part, tolerance, exports, description.speed.has_value()};
   for (const ConfigReader& item : segments.items())
-    description.segments.push_back(read_segment(item, part, tolerance, robot));
+    for (Segment& segment : read_segments(item, context))
+      description.segments.push_back(std::move(segment));
   if (description.segments.empty()) segments.fail("no segments", "at least one");
   return description;
 }
 
 }  // namespace
 
-PathSection read_path(const ConfigReader& reader, const Robot& robot) {
+PathSection read_path(const ConfigReader& reader, const Robot& robot,
+                      const ExportOptions& exports) {
   reader.expect_keys({"link", "frame", "speed", "speed_policy", "spacing", "waypoints", "segments",
                       "corners", "run_in", "run_out", "tolerance"});
   PathSection path;
@@ -43,7 +47,7 @@ PathSection read_path(const ConfigReader& reader, const Robot& robot) {
   const auto tolerance_key = reader.find("tolerance");
   const ToleranceBox tolerance =
       tolerance_key ? read_tolerance(*tolerance_key, {"between"}) : ToleranceBox();
-  path.seam = read_description(reader, path.part, tolerance, robot);
+  path.seam = read_description(reader, path.part, tolerance, robot, exports);
   if (const auto policy = reader.find("speed_policy"))
     path.speed_policy =
         policy->choice({"hold", "slow"}) == "slow" ? SpeedPolicy::slow : SpeedPolicy::hold;

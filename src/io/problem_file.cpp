@@ -26,7 +26,7 @@ ProblemSections read_problem(const std::filesystem::path& file, const LoadOption
   const ConfigNode root = read_yaml(file);
   const ConfigReader reader(root, file);
   reader.expect_keys(
-      {"robot", "scene", "path", "cost", "graph", "refine", "controller", "placement"});
+      {"robot", "scene", "path", "cost", "graph", "refine", "controller", "placement", "export"});
 
   ProblemSections sections;
   Problem& problem = sections.problem;
@@ -42,7 +42,9 @@ ProblemSections read_problem(const std::filesystem::path& file, const LoadOption
     problem.scene.disabled = std::move(*robot.disabled);
     problem.scene.find_permanent_contacts = false;
   }
-  sections.path = read_path(path, *problem.robot);
+  if (const auto exports = reader.find("export"))
+    problem.exports = read_export(*exports, *problem.robot);
+  sections.path = read_path(path, *problem.robot, problem.exports);
   problem.task = task_after(Pose::Identity(), sections.path, *problem.robot);
   if (const auto cost = reader.find("cost")) problem.cost = read_cost(*cost, *problem.robot);
   if (const auto graph = reader.find("graph")) problem.graph = read_graph(*graph, *problem.robot);

@@ -4,6 +4,7 @@
 
 #include "io/config_reader.hpp"
 #include "io/path_section.hpp"
+#include "wristwise/export_options.hpp"
 #include "wristwise/inverse_kinematics.hpp"
 #include "wristwise/mesh.hpp"
 #include "wristwise/options.hpp"
@@ -58,5 +59,7 @@ struct ProblemSections {
   std::optional<PlacementOptions> placement;
 };
 ProblemSections read_problem(const std::filesystem::path& file, const LoadOptions& options);
+
+ExportOptions read_export(const ConfigReader& reader, const Robot& robot);
 
 }  // namespace wristwise

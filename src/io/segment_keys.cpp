@@ -7,7 +7,7 @@ namespace wristwise {
 
 namespace {
 
-const std::vector<std::string> kKinds = {"line", "arc", "poses", "joints"};
+const std::vector<std::string> kKinds = {"line", "arc", "poses", "joints", "program"};
 
 LineSegment read_line(const ConfigReader& reader, const Pose& part) {
   reader.expect_keys({"from", "to"});
@@ -58,10 +58,17 @@ JointListSegment read_joint_list(const ConfigReader& reader, const Robot& robot)
   return list;
 }
 
+decltype(Segment::shape) read_shape(const std::string& kind, const ConfigReader& reader,
+                                    const SegmentContext& context) {
+  if (kind == "line") return read_line(reader, context.part);
+  if (kind == "arc") return read_arc(reader, context.part);
+  if (kind == "poses") return read_pose_list(reader, context.part);
+  return read_joint_list(reader, context.robot);
+}
+
 }  // namespace
 
-Segment read_segment(const ConfigReader& reader, const Pose& part, const ToleranceBox& tolerance,
-                     const Robot& robot) {
+std::vector<Segment> read_segments(const ConfigReader& reader, const SegmentContext& context) {
   std::vector<std::string> keys = kKinds;
   keys.emplace_back("tolerance");
   reader.expect_keys(keys);
@@ -70,26 +77,17 @@ Segment read_segment(const ConfigReader& reader, const Pose& part, const Toleran
     if (reader.find(kind)) given.push_back(kind);
   if (given.size() != 1)
     reader.fail(given.empty() ? "no segment" : "both " + given[0] + " and " + given[1],
-                "one of line, arc, poses, joints");
+                "one of line, arc, poses, joints, program");
 
-  Segment segment;
   const ConfigReader shape = reader.at(given[0]);
-  segment.where = shape.where();
-  segment.tolerance = tolerance;
+  SegmentContext own_context = context;
   if (const auto own = reader.find("tolerance")) {
     if (given[0] == "joints")
       own->fail("joint waypoints have no tolerance box", "a range [lower, upper] for a joint");
-    segment.tolerance = read_tolerance(*own, {});
+    own_context.tolerance = read_tolerance(*own, {});
   }
-  if (given[0] == "line")
-    segment.shape = read_line(shape, part);
-  else if (given[0] == "arc")
-    segment.shape = read_arc(shape, part);
-  else if (given[0] == "poses")
-    segment.shape = read_pose_list(shape.existing_file(), part);
-  else
-    segment.shape = read_joint_list(shape, robot);
-  return segment;
+  if (given[0] == "program") return read_program_segments(shape.existing_file(), own_context);
+  return {{read_shape(given[0], shape, context), own_context.tolerance, shape.where()}};
 }
 
 }  // namespace wristwise

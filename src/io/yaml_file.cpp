@@ -102,7 +102,8 @@ ConfigNode read_yaml(const std::filesystem::path& file) {
   const std::string text = read_text(file);
   Converter converter(file.string());
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    while (documents.size() > 1 && documents.back().IsNull()) documents.pop_back();
     if (documents.size() != 1)
       throw InvalidInput(file.string(), documents.empty() ? "empty" : "several YAML documents",
                          "one YAML document");
