@@ -134,8 +134,12 @@ class TaskBuilder {
   void add_weld() {
     const std::size_t first = run_in_ ? 1 : 0;
     const std::vector<Leg> legs = cut_into_legs(description_, layout_.stretches, task_.seam, first);
-    task_.waypoints.push_back({task_.seam.real_time(layout_.start_time), layout_.start,
-                               description_.segments.front().tolerance, layout_.start_joints});
+    Waypoint first_waypoint;
+    first_waypoint.time = task_.seam.real_time(layout_.start_time);
+    first_waypoint.frame = layout_.start;
+    first_waypoint.tolerance = description_.segments.front().tolerance;
+    first_waypoint.joints = layout_.start_joints;
+    task_.waypoints.push_back(std::move(first_waypoint));
     for (const Leg& leg : legs) {
       const Stretch& stretch = layout_.stretches[leg.stretch];
       cut(leg, task_.seam.pieces()[first + leg.stretch], box_of(stretch));
