@@ -77,7 +77,7 @@ TEST(Refine, TermsAddUpToTheObjective) {
   const Example example(gantry::parts(), three_point_task());
   const RefineStatistics statistics = example.run(three_point_seed(example.task)).statistics;
   EXPECT_TRUE(statistics.run);
-  ASSERT_EQ(statistics.terms.size(), 6U);
+  ASSERT_EQ(statistics.terms.size(), 7U);
   double sum = 0, initial = 0;
   for (const CostTerm& term : statistics.terms) {
     sum += term.final;

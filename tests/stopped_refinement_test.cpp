@@ -129,16 +129,17 @@ void expect_best_until_then(Example example) {
   EXPECT_GT(returned, 0);
 }
 
-/// Between two rounds: everything holds before the objective has settled.
-TEST(RefineCancelled, ReturnsTheBestMotionOfTheRoundsBefore) {
-  expect_best_until_then(
-      {gantry::parts(), gantry::task({{0, 0, 0}, {0.5, 0.3, 0}, {1, 0, 0}}, test::kDuration, 30,
-                                     gantry::box(0.05, 0.1))});
+/// A seam with a bend in it.
+Example bent(double box) {
+  return {gantry::parts(), gantry::task({{0, 0, 0}, {0.5, 0.3, 0}, {1, 0, 0}}, test::kDuration, 120,
+                                        gantry::box(box, 0.1))};
 }
 
-/// From rest the motion costs more than its seed, so that stage 2 starts again and again.
-TEST(RefineCancelled, ReturnsTheBestMotionOfTheStartsBefore) {
-  Example example(gantry::parts(), test::three_point_task());
+/// Between two rounds: everything holds before the objective has settled.
+TEST(RefineCancelled, ReturnsTheBestMotionOfTheRoundsBefore) { expect_best_until_then(bent(0.2)); }
+
+TEST(RefineCancelled, ReturnsTheBestMotionFromRest) {
+  Example example = bent(0.05);
   example.task.rest_at_start = true;
   expect_best_until_then(example);
 }

@@ -214,7 +214,7 @@ bool AugmentedLagrangian::tighten(const Accuracy& accuracy, double objective, bo
   }
   if (places_.violation <= accuracy.violation) return true;
   const bool all_but_hold = places_.violation <= kFloor;
-  if ((all_but_hold || !moves) && places_.grew_in_vain()) return false;
+  if (!accuracy.persistent && (all_but_hold || !moves) && places_.grew_in_vain()) return false;
   return places_.tighten(accuracy.patience, moves && !all_but_hold);
 }
 

@@ -17,8 +17,9 @@ struct Accuracy {
   double settled = 1e-4;    ///< relative change of the objective between rounds
   double inner = 1e-8;      ///< relative change of the cost at which the inner solver stops
   int rounds = 30;
-  bool rates = true;  ///< velocity, acceleration and jerk limits count
-  int patience = 3;   ///< rounds in which the violation may not halve
+  bool rates = true;        ///< velocity, acceleration and jerk limits count
+  int patience = 3;         ///< rounds in which the violation may not halve
+  bool persistent = false;  ///< a mu that grew in vain is no reason to end
 };
 
 enum class Ending {

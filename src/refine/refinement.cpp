@@ -173,7 +173,10 @@ class Attempt {
         const double left = std::max(violation / kSmall, lagrangian_.rate_violation());
         vain = left > kWorthwhile * last_left ? vain + 1 : 0;
         last_left = left;
-        if (vain >= kVainSplits || ++splits > kMostSplits || !split_spans()) return ending;
+        if (vain < kVainSplits && ++splits <= kMostSplits && split_spans()) continue;
+        if (accuracy.persistent) return ending;
+        accuracy.persistent = true;
+        lagrangian_.restart();
         continue;
       }
       if (!add_points()) return ending;
