@@ -90,6 +90,20 @@ void AugmentedLagrangian::add_points(const std::vector<PointConstraint>& points)
   restart();
 }
 
+AugmentedLagrangian::State AugmentedLagrangian::state() const {
+  return {spline_, places_, rates_, points_, limits_};
+}
+
+void AugmentedLagrangian::restore(State state) {
+  std::vector<double> breakpoints = state.spline.basis.breakpoints();
+  spline_ = std::move(state.spline);
+  points_ = std::move(state.points);
+  use_breakpoints(std::move(breakpoints));
+  limits_ = std::move(state.limits);
+  places_ = state.places;
+  rates_ = state.rates;
+}
+
 void AugmentedLagrangian::relax() { places_.mu = std::max(places_.first_mu, places_.mu / kGrowth); }
 
 void AugmentedLagrangian::use_breakpoints(std::vector<double> breakpoints) {

@@ -63,6 +63,11 @@ class AugmentedLagrangian {
   /// Points were added or exchanged: what was reached so far says nothing about these.
   void restart();
 
+  /// What more breakpoints may spoil, and the way back to it.
+  struct State;
+  State state() const;
+  void restore(State state);
+
   ObjectiveTerms terms() const;
   double violation() const { return places_.violation; }      ///< m, rad
   double rate_violation() const { return rates_.violation; }  ///< shares of the limits
@@ -112,6 +117,13 @@ class AugmentedLagrangian {
   std::vector<PointValues> values_;
   double trust_region_ = 0;  ///< radius at the end of the last round
   int rounds_ = 0, iterations_ = 0, evaluations_ = 0;
+};
+
+struct AugmentedLagrangian::State {
+  Spline spline;
+  Group places, rates;
+  std::vector<PointConstraint> points;
+  std::vector<LimitConstraint> limits;
 };
 
 }  // namespace wristwise

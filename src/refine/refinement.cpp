@@ -161,6 +161,7 @@ class Attempt {
     Accuracy accuracy;
     accuracy.violation = input_.options.constraint_tolerance;
     int splits = 0, vain = 0;
+    std::optional<AugmentedLagrangian::State> before_splits;
     double last_left = std::numeric_limits<double>::infinity();
     while (true) {
       accuracy.rounds = input_.options.max_rounds - lagrangian_.rounds();
@@ -173,10 +174,13 @@ class Attempt {
         const double left = std::max(violation / kSmall, lagrangian_.rate_violation());
         vain = left > kWorthwhile * last_left ? vain + 1 : 0;
         last_left = left;
+        if (!before_splits) before_splits = lagrangian_.state();
         if (vain < kVainSplits && ++splits <= kMostSplits && split_spans()) continue;
         if (accuracy.persistent) return ending;
         accuracy.persistent = true;
-        lagrangian_.restart();
+        lagrangian_.restore(*before_splits);
+        splits = vain = 0;
+        last_left = std::numeric_limits<double>::infinity();
         continue;
       }
       if (!add_points()) return ending;
