@@ -25,7 +25,7 @@ class IkSolutionListBase {
  public:
   virtual ~IkSolutionListBase() {}
   virtual std::size_t AddSolution(const std::vector<IkSingleDOFSolutionBase<T>>& vinfos,
-                             const std::vector<int>& vfree) = 0;
+                                  const std::vector<int>& vfree) = 0;
   virtual const IkSolutionBase<T>& GetSolution(std::size_t index) const = 0;
   virtual std::size_t GetNumSolutions() const = 0;
   virtual void Clear() = 0;
