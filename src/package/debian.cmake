@@ -39,7 +39,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "${package_library} (= ${PROJECT_VERSION}), libeigen3-dev (>= 3.4)")
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
   "libassimp-dev, libceres-dev, libconsole-bridge-dev, libfcl-dev, libfmt-dev, libnlopt-cxx-dev, "
-  "libqhull-dev, libtinyxml-dev, liburdfdom-dev, libyaml-cpp-dev")
+  "libqhull-dev, libtinyxml-dev, liburdfdom-dev, libyaml-cpp-dev, zlib1g-dev")
 
 # What only a Debian package holds: its licence and its changes, under Debian's names.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)

@@ -28,7 +28,7 @@ names() {
   local name
   for name in wristwise "$(library)" libwristwise-dev; do
     [ "$(field "$name" Package) $(field "$name" Version)" = "$name $(version)" ]
-    field "$name" Description | head -1 | grep -q '^planner for arc-welding robots'
+    field "$name" Description | head -1 | grep '^planner for arc-welding robots'
   done
   [ "$(find "$folder" -maxdepth 1 -name '*.deb' | wc -l)" = 3 ]
 }
@@ -45,7 +45,8 @@ holds() {
 contents() {
   holds wristwise usr/bin/wristwise usr/share/wristwise/problem-file.schema.json \
     usr/share/wristwise/problems/task_c_wrist_singularity.yaml \
-    usr/share/wristwise/robots/kuka_kr5_arc/kuka_kr5_arc.urdf
+    usr/share/wristwise/robots/kuka_kr5_arc/kuka_kr5_arc.urdf \
+    usr/share/man/man1/wristwise.1.gz usr/share/doc/wristwise/install.md
   holds "$(library)" "usr/lib/.*libwristwise\.so\.$(version)" \
     "usr/lib/.*libwristwise\.so\.$(version | cut -d. -f1,2)"
   holds libwristwise-dev usr/include/wristwise/wristwise.hpp usr/include/wristwise/version.hpp \
@@ -57,10 +58,10 @@ contents() {
 depends() {
   local name
   for name in wristwise "$(library)"; do
-    field "$name" Depends | grep -qE '\blibc6 \(>=.*\blibyaml-cpp' || fail "$name: libraries"
-    ! field "$name" Depends | grep -qE -e '-dev\b' || fail "$name depends on a -dev package"
+    field "$name" Depends | grep -E '\blibc6 \(>=.*\blibyaml-cpp' || fail "$name: libraries"
+    ! field "$name" Depends | grep -E -e '-dev\b' || fail "$name depends on a -dev package"
   done
-  field libwristwise-dev Depends | grep -qF "$(library) (= $(version)), libeigen3-dev"
+  field libwristwise-dev Depends | grep -F "$(library) (= $(version)), libeigen3-dev"
 }
 
 program() {

@@ -20,19 +20,21 @@ make() {
 
 no_build_paths() {
   local found
-  found=$(grep -rlF -e "$build" -e "$source" -e "$folder/installed" "$tree") || return 0
+  found=$(grep -rlF -e "$build/" -e "$source/src/" -e "$source/include/" -e "$folder/installed" \
+    --exclude-dir=doc "$tree") || return 0
   fail "paths of the build in: $found"
 }
 
 # Each by itself, and nothing but Eigen and the standard library in it.
 headers() {
-  local header others
+  local header includes others
   for header in "$tree"/include/wristwise/*.hpp; do
     c++ -std=c++17 "${warnings[@]}" -fsyntax-only -x c++ -I"$tree/include" -isystem "$(eigen)" \
       -include "$header" /dev/null
   done
-  others=$(grep -rhE '^ *# *include' "$tree/include" |
-    grep -vE '"wristwise/[a-z_]+\.hpp"|<Eigen/[A-Za-z]+>|<[a-z_]+>') || return 0
+  includes=$(grep -rhE '^ *# *include' "$tree/include")
+  others=$(grep -vE '"wristwise/[a-z_]+\.hpp"|<Eigen/[A-Za-z]+>|<[a-z_]+>' <<<"$includes") ||
+    return 0
   fail "included by public headers: $others"
 }
 
@@ -40,9 +42,11 @@ eigen() { pkg-config --cflags-only-I eigen3 | sed 's/^-I//;s/ *$//'; }
 
 # Functions and data; templates of std and types of exceptions are everywhere.
 exported_symbols() {
-  local others
-  others=$(nm -DC --defined-only "$(shared_library)" | cut -d' ' -f3- |
-    grep -vE '\bwristwise::|\bstd::|__gnu_cxx::|^typeinfo (name )?for ') || return 0
+  local symbols others
+  symbols=$(nm -DC --defined-only "$(shared_library)" | cut -d' ' -f3-)
+  grep -q 'wristwise::plan(' <<<"$symbols" || fail "wristwise::plan is not exported"
+  others=$(grep -vE '\bwristwise::|\bstd::|__gnu_cxx::|^typeinfo (name )?for ' <<<"$symbols") ||
+    return 0
   fail "exported besides wristwise's own: $others"
 }
 
@@ -62,7 +66,20 @@ program() {
     --out "$place/out/mesh"
   [ ! -e "$place/share/wristwise/problems/.wristwise_cache" ] || fail "it could write"
   grep -q '"status": "solved"' "$place/out/mesh/result.json"
-  "$place/bin/wristwise" --version | grep -qx "wristwise [0-9]*\.[0-9]*\.[0-9]*"
+  "$place/bin/wristwise" --version | grep -x "wristwise [0-9]*\.[0-9]*\.[0-9]*"
+}
+
+# Every option of every command is in the manual page.
+man_page() {
+  local page option command
+  page=$(gzip -dc "$tree/share/man/man1/wristwise.1.gz" | sed 's/\\-/-/g')
+  for command in '' plan smooth check compare place info; do
+    # shellcheck disable=SC2086
+    for option in $("$tree/bin/wristwise" $command --help | grep -oE -e '--[a-z-]+' | sort -u); do
+      grep -qe "$option" <<<"$page" || fail "no $option in the manual page"
+    done
+    grep -qix "\.SH ${command:-name}" <<<"$page" || fail "no section $command in the manual page"
+  done
 }
 
 # configure_consumer NAME [OPTION...]
@@ -79,7 +96,7 @@ build_and_run() {
   "$folder/$1/consumer" "$problem"
 }
 
-uses_shared() { readelf -d "$1" | grep -q 'NEEDED.*libwristwise\.so\.[0-9]*\.[0-9]*\]'; }
+uses_shared() { readelf -d "$1" | grep 'NEEDED.*libwristwise\.so\.[0-9]*\.[0-9]*\]'; }
 
 # It finds Eigen; every other package is hidden from it.
 consumer_shared() {
@@ -104,12 +121,27 @@ consumer_wider_vectors() {
   build_and_run consumer_wider_vectors
 }
 
-wrong_component() {
-  configure_consumer wrong_component -DWRISTWISE_COMPONENTS="COMPONENTS;dynamic" 2>&1 |
-    grep -q "no component .dynamic. here"
+# find_components COMPONENT...: a project that asks for them
+find_components() {
+  mkdir -p "$folder/components"
+  cat >"$folder/components/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.25)
+project(components LANGUAGES CXX)
+find_package(wristwise 0.1 REQUIRED COMPONENTS $*)
+get_target_property(chosen wristwise::wristwise ALIASED_TARGET)
+message(STATUS "chosen: \${chosen}")
+END
+  rm -rf "$folder/components/build"
+  cmake -S "$folder/components" -B "$folder/components/build" -DCMAKE_PREFIX_PATH="$tree" 2>&1
 }
 
-# compile_with FLAG... -- into FOLDER/$1, with what pkg-config says
+components() {
+  find_components shared | grep -x -e '-- chosen: wristwise::shared'
+  find_components static shared | grep -x -e '-- chosen: wristwise::static'
+  (find_components dynamic || true) | grep "no component 'dynamic' here"
+}
+
+# pkg_config_consumer NAME [OPTION OF PKG-CONFIG...]
 pkg_config_consumer() {
   local program=$folder/$1
   shift
