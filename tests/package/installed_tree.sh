@@ -42,9 +42,11 @@ eigen() { pkg-config --cflags-only-I eigen3 | sed 's/^-I//;s/ *$//'; }
 
 # Functions and data; templates of std and types of exceptions are everywhere.
 exported_symbols() {
-  local symbols others
+  local symbols others unmarked
   symbols=$(nm -DC --defined-only "$(shared_library)" | cut -d' ' -f3-)
   grep -q 'wristwise::plan(' <<<"$symbols" || fail "wristwise::plan is not exported"
+  ! unmarked=$(grep -rlE '^namespace wristwise\b' "$tree/include") ||
+    fail "a namespace without WRISTWISE_PUBLIC: $unmarked"
   others=$(grep -vE '\bwristwise::|\bstd::|__gnu_cxx::|^typeinfo (name )?for ' <<<"$symbols") ||
     return 0
   fail "exported besides wristwise's own: $others"
