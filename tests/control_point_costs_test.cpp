@@ -157,7 +157,7 @@ TEST(SingularityCost, Jacobian) {
   std::mt19937 random(10);
   const auto robot = kr5::load();
   for (const JointVector& q : kr5_postures(*robot, random)) {
-    const SingularityPoint point{kTime, SplineBasis(kBreakpoints).at(kTime), 1.7};
+    const PosturePoint point{kTime, SplineBasis(kBreakpoints).at(kTime), 1.7};
     const std::unique_ptr<ceres::CostFunction> cost(singularity_cost(*robot, point));
     // The KR 5's axes 4 and 6 line up where joint 5 is zero.
     EXPECT_NEAR(residuals_at(*cost, control_about(q, 0, random))[0],
