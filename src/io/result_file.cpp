@@ -32,13 +32,6 @@ Json timing(const Timing& timing) {
           {"verify", json::number(timing.verify)}, {"total", json::number(timing.total)}};
 }
 
-std::vector<std::string> joint_names(const Problem& problem) {
-  std::vector<std::string> joints;
-  if (!problem.robot) return joints;
-  for (const Joint& joint : problem.robot->joints()) joints.push_back(joint.name);
-  return joints;
-}
-
 std::string printed(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -93,7 +86,7 @@ std::string result_json(const PlanResult& result, const Problem& problem) {
   Json object = {{"status", status_name(result.status)},
                  {"mode", mode_name(result.mode)},
                  {"waypoints", waypoint_count(result, problem)},
-                 {"joints", joint_names(problem)},
+                 {"joints", problem.robot->joint_names()},
                  {"timing_s", timing(result.timing)},
                  {"peak_rss_bytes", peak_rss_bytes()},
                  {"graph", json::graph(result)},
@@ -125,10 +118,11 @@ void write_result(const std::filesystem::path& folder, const PlanResult& result,
   std::filesystem::remove(dense);
   const SeamColumns seam(task_as_run(result, problem));
   if (!result.trajectory.empty()) {
-    write_trajectory(points, joint_names(problem), result.trajectory, seam);
-    write_dense(dense, joint_names(problem), result.trajectory, problem.controller_period, seam);
+    write_trajectory(points, problem.robot->joint_names(), result.trajectory, seam);
+    write_dense(dense, problem.robot->joint_names(), result.trajectory, problem.controller_period,
+                seam);
   } else if (result.path.size() > 0) {
-    write_path(points, joint_names(problem), result.path, seam);
+    write_path(points, problem.robot->joint_names(), result.path, seam);
   }
   write_text(folder / "result.json", result_json(result, problem));
 }
