@@ -32,6 +32,11 @@ Json timing(const Timing& timing) {
           {"verify", json::number(timing.verify)}, {"total", json::number(timing.total)}};
 }
 
+/// None where the run ended before there was a robot.
+std::vector<std::string> joint_names(const Problem& problem) {
+  return problem.robot ? problem.robot->joint_names() : std::vector<std::string>();
+}
+
 std::string printed(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -86,7 +91,7 @@ std::string result_json(const PlanResult& result, const Problem& problem) {
   Json object = {{"status", status_name(result.status)},
                  {"mode", mode_name(result.mode)},
                  {"waypoints", waypoint_count(result, problem)},
-                 {"joints", problem.robot->joint_names()},
+                 {"joints", joint_names(problem)},
                  {"timing_s", timing(result.timing)},
                  {"peak_rss_bytes", peak_rss_bytes()},
                  {"graph", json::graph(result)},
@@ -118,11 +123,10 @@ void write_result(const std::filesystem::path& folder, const PlanResult& result,
   std::filesystem::remove(dense);
   const SeamColumns seam(task_as_run(result, problem));
   if (!result.trajectory.empty()) {
-    write_trajectory(points, problem.robot->joint_names(), result.trajectory, seam);
-    write_dense(dense, problem.robot->joint_names(), result.trajectory, problem.controller_period,
-                seam);
+    write_trajectory(points, joint_names(problem), result.trajectory, seam);
+    write_dense(dense, joint_names(problem), result.trajectory, problem.controller_period, seam);
   } else if (result.path.size() > 0) {
-    write_path(points, problem.robot->joint_names(), result.path, seam);
+    write_path(points, joint_names(problem), result.path, seam);
   }
   write_text(folder / "result.json", result_json(result, problem));
 }
