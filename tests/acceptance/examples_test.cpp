@@ -12,28 +12,20 @@
 #include "convex_points.hpp"
 #include "csv_columns.hpp"
 #include "kuka_kr5_arc.hpp"
-#include "run_program.hpp"
+#include "run_example.hpp"
 
 namespace wristwise {
 namespace {
 
 using test::CsvColumns;
 using test::ProgramRun;
+using test::run_example;
+using test::shipped;
 using test::TemporaryFolder;
 using Tcp = std::function<Eigen::Matrix4d(const Eigen::VectorXd&)>;
 
 constexpr double kDegree = 0.017453292519943295;
 constexpr double kTorch = 0.3;  // m, of the round torch
-
-std::string shipped(const std::string& file) {
-  return std::string(WRISTWISE_SOURCE_DIR) + "/" + file;
-}
-
-ProgramRun run(const std::string& example, const TemporaryFolder& folder,
-               const std::vector<std::string>& arguments) {
-  return test::run_executable(std::string(WRISTWISE_EXAMPLES) + "/" + example, folder.path(),
-                              arguments);
-}
 
 /// The number that follows `label` in a text.
 double number_after(const std::string& text, const std::string& label) {
@@ -71,7 +63,7 @@ double sum_of_steps(const std::vector<Eigen::VectorXd>& path) {
 TEST(Examples, PlanASeam) {
   const TemporaryFolder folder;
   const ProgramRun ran =
-      run("01_plan_a_seam", folder, {shipped("problems/planar_3r.yaml"), "out.csv"});
+      run_example("01_plan_a_seam", folder, {shipped("problems/planar_3r.yaml"), "out.csv"});
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_EQ(number_after("\n" + ran.out, "\n"), 40);
   const CsvColumns file(folder.path() / "out.csv");
@@ -90,7 +82,7 @@ TEST(Examples, PlanASeamThatIsOutOfReach) {
   text = test::replaced(text, "../planar.urdf", shipped("robots/planar_3r/planar_3r.urdf"));
   text = test::replaced(text, "../robots", shipped("robots"));
   folder.write("far.yaml", text);
-  const ProgramRun ran = run("01_plan_a_seam", folder, {"far.yaml", "out.csv"});
+  const ProgramRun ran = run_example("01_plan_a_seam", folder, {"far.yaml", "out.csv"});
   EXPECT_EQ(ran.exit_code, 1) << ran.err;
   EXPECT_NE(ran.out.find("reach"), std::string::npos) << ran.out;
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out.csv"));
@@ -100,7 +92,7 @@ TEST(Examples, PlanASeamThatIsOutOfReach) {
 TEST(Examples, GraphOnly) {
   const TemporaryFolder folder;
   const ProgramRun ran =
-      run("02_graph_only", folder, {shipped("problems/known_graph.yaml"), "path.csv"});
+      run_example("02_graph_only", folder, {shipped("problems/known_graph.yaml"), "path.csv"});
   EXPECT_EQ(ran.exit_code, 0) << ran.err << ran.out;
   const double cost = number_after(ran.out, "cost ");
   EXPECT_NEAR(cost, 0.858493816637, 1e-6);
@@ -144,9 +136,10 @@ Eigen::VectorXd interpolated(const std::vector<double>& times,
 TEST(Examples, SmoothAPath) {
   const TemporaryFolder folder;
   const std::string robot = shipped("robots/kuka_kr5_arc/");
-  const ProgramRun ran = run("03_smooth_a_path", folder,
-                             {robot + "kuka_kr5_arc_round_torch.urdf", robot + "joint_limits.yaml",
-                              shipped("problems/recorded_path.csv"), "smooth.csv"});
+  const ProgramRun ran =
+      run_example("03_smooth_a_path", folder,
+                  {robot + "kuka_kr5_arc_round_torch.urdf", robot + "joint_limits.yaml",
+                   shipped("problems/recorded_path.csv"), "smooth.csv"});
   EXPECT_EQ(ran.exit_code, 0) << ran.err << ran.out;
   const CsvColumns before(shipped("problems/recorded_path.csv")),
       after(folder.path() / "smooth.csv");
@@ -186,7 +179,7 @@ double chord(double angle) { return 2 * std::sin(angle / 2); }
 TEST(Examples, OwnCost) {
   const TemporaryFolder folder;
   const ProgramRun ran =
-      run("04_own_cost", folder, {shipped("problems/slide_along_plate.yaml"), "."});
+      run_example("04_own_cost", folder, {shipped("problems/slide_along_plate.yaml"), "."});
   EXPECT_EQ(ran.exit_code, 0) << ran.err << ran.out;
 
   const auto seed = CsvColumns(folder.path() / "stage_1.csv").rows(kKr5Joints);
@@ -218,8 +211,8 @@ TEST(Examples, OwnCost) {
 
 TEST(Examples, OwnIk) {
   const TemporaryFolder folder;
-  const ProgramRun ran =
-      run("05_own_ik", folder, {shipped("problems/planar_3r.yaml"), "built_in.csv", "own.csv"});
+  const ProgramRun ran = run_example(
+      "05_own_ik", folder, {shipped("problems/planar_3r.yaml"), "built_in.csv", "own.csv"});
   EXPECT_EQ(ran.exit_code, 0) << ran.err << ran.out;
   EXPECT_NE(ran.out.find("closed form of a planar arm: cost"), std::string::npos) << ran.out;
   const auto built_in = CsvColumns(folder.path() / "built_in.csv").rows(kPlanarJoints);
@@ -240,7 +233,7 @@ TEST(Examples, OwnIk) {
 TEST(Examples, OwnIkIsForItsRobot) {
   const TemporaryFolder folder;
   const ProgramRun ran =
-      run("05_own_ik", folder, {shipped("problems/known_graph.yaml"), "a.csv", "b.csv"});
+      run_example("05_own_ik", folder, {shipped("problems/known_graph.yaml"), "a.csv", "b.csv"});
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_NE(ran.err.find("three joints"), std::string::npos) << ran.err;
 }
@@ -255,9 +248,10 @@ double torch_distance(const Eigen::VectorXd& q, const test::ConvexBody& body) {
 TEST(Examples, OwnScene) {
   const TemporaryFolder folder;
   const std::string robot = shipped("robots/kuka_kr5_arc/");
-  const ProgramRun ran = run("06_own_scene", folder,
-                             {robot + "kuka_kr5_arc_round_torch.urdf", robot + "joint_limits.yaml",
-                              shipped("problems/l_profile.stl"), "out.csv"});
+  const ProgramRun ran =
+      run_example("06_own_scene", folder,
+                  {robot + "kuka_kr5_arc_round_torch.urdf", robot + "joint_limits.yaml",
+                   shipped("problems/l_profile.stl"), "out.csv"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err << ran.out;
   const auto path = CsvColumns(folder.path() / "out.csv").rows(kKr5Joints);
   ASSERT_EQ(path.size(), 40U);
@@ -309,8 +303,8 @@ std::string with_fault(const std::string& csv, std::size_t row, double shift) {
 TEST(Examples, CheckAFile) {
   const TemporaryFolder folder;
   const std::string problem = shipped("problems/planar_3r.yaml");
-  ASSERT_EQ(run("01_plan_a_seam", folder, {problem, "good.csv"}).exit_code, 0);
-  const ProgramRun good = run("07_check_a_file", folder, {problem, "good.csv"});
+  ASSERT_EQ(run_example("01_plan_a_seam", folder, {problem, "good.csv"}).exit_code, 0);
+  const ProgramRun good = run_example("07_check_a_file", folder, {problem, "good.csv"});
   EXPECT_EQ(good.exit_code, 0) << good.out;
   EXPECT_NE(good.out.find("a curve of 40 points"), std::string::npos) << good.out;
   EXPECT_NE(good.out.find("passed"), std::string::npos) << good.out;
@@ -319,7 +313,7 @@ TEST(Examples, CheckAFile) {
   // Joint 1 off by 2 mrad at one row: at some 0.8 m from it the TCP is off the seam by 1.6 mm.
   const std::string csv = test::file_text(folder.path() / "good.csv");
   folder.write("bad.csv", with_fault(csv, 20, 0.002));
-  const ProgramRun bad = run("07_check_a_file", folder, {problem, "bad.csv"});
+  const ProgramRun bad = run_example("07_check_a_file", folder, {problem, "bad.csv"});
   EXPECT_EQ(bad.exit_code, 1) << bad.out;
   EXPECT_NE(bad.out.find("failure: "), std::string::npos) << bad.out;
   EXPECT_NE(bad.out.find("rejected"), std::string::npos) << bad.out;
@@ -334,7 +328,7 @@ TEST(Examples, CheckAFile) {
 TEST(Examples, Placement) {
   const TemporaryFolder folder;
   const ProgramRun ran =
-      run("08_placement", folder, {shipped("problems/task_c_wrist_singularity.yaml")});
+      run_example("08_placement", folder, {shipped("problems/task_c_wrist_singularity.yaml")});
   ASSERT_EQ(ran.exit_code, 0) << ran.err << ran.out;
   // Task C stands where the wrist is singular half-way; elsewhere joints are slower.
   EXPECT_LT(number_after(ran.out, "found: "), 0.5 * number_after(ran.out, "given: "));
@@ -347,51 +341,6 @@ TEST(Examples, Placement) {
   EXPECT_TRUE(x >= 0.85 - 1e-6 && x <= 1.25 + 1e-6 && std::abs(y) <= 0.4 + 1e-6) << ran.out;
   EXPECT_NEAR(z, 0.845, 1e-9);
 }
-
-struct BadArguments {
-  std::string example;
-  std::vector<std::string> good;  ///< the first is the file that is then missing, or bad
-};
-
-const std::vector<BadArguments> kPrograms = {
-    {"01_plan_a_seam", {"problem.yaml", "out.csv"}},
-    {"02_graph_only", {"problem.yaml", "out.csv"}},
-    {"03_smooth_a_path", {"robot.urdf", "limits.yaml", "path.csv", "out.csv"}},
-    {"04_own_cost", {"problem.yaml", "."}},
-    {"05_own_ik", {"problem.yaml", "a.csv", "b.csv"}},
-    {"06_own_scene", {"robot.urdf", "limits.yaml", "part.stl", "out.csv"}},
-    {"07_check_a_file", {"problem.yaml", "out.csv"}},
-    {"08_placement", {"problem.yaml"}}};
-
-/// One line on stderr, nothing on stdout, exit 2.
-void expect_refusal(const ProgramRun& ran, const std::string& part) {
-  EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_EQ(ran.out, "");
-  EXPECT_NE(ran.err.find(part), std::string::npos) << ran.err;
-  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-  EXPECT_EQ(ran.err.back(), '\n');
-}
-
-class ExampleErrors : public testing::TestWithParam<BadArguments> {};
-
-TEST_P(ExampleErrors, NoArgument) {
-  const TemporaryFolder folder;
-  expect_refusal(run(GetParam().example, folder, {}), "usage: ");
-}
-
-TEST_P(ExampleErrors, MissingFile) {
-  const TemporaryFolder folder;
-  expect_refusal(run(GetParam().example, folder, GetParam().good), GetParam().good.front());
-}
-
-TEST_P(ExampleErrors, BadFile) {
-  const TemporaryFolder folder;
-  folder.write(GetParam().good.front(), "{ not what: [it should be");
-  expect_refusal(run(GetParam().example, folder, GetParam().good), GetParam().good.front());
-}
-
-INSTANTIATE_TEST_SUITE_P(All, ExampleErrors, testing::ValuesIn(kPrograms),
-                         [](const auto& program) { return "Of" + program.param.example; });
 
 }  // namespace
 }  // namespace wristwise
