@@ -3,8 +3,8 @@
 // free.
 //
 // The two stages take a cost in two forms. Stage 1 compares postures: it wants a number for a
-// posture at a waypoint, in rad of joint motion. Stage 2 follows slopes: it wants a residual r(t,
-// q) with its gradient, and minimises the integral of r^2 over time.
+// posture at a waypoint, in rad of joint motion. Stage 2 follows slopes: it wants a residual r of
+// time and posture with its gradient, and minimises the integral of r^2 over time.
 
 #include <cmath>
 #include <filesystem>
