@@ -40,7 +40,8 @@ inline ConvexBody prism_body(const Eigen::Vector3d& corner, double along_x, doub
     const bool inside = at.x() >= 0 && at.y() >= 0 && at.x() / along_x + at.y() / along_z <= 1;
     double in_plane = inside ? 0 : 1e9;
     for (std::size_t k = 0; k < 3 && !inside; ++k) {
-      const Eigen::Vector2d from = corners[k], edge = corners[(k + 1) % 3] - from;
+      const Eigen::Vector2d& from = corners[k];
+      const Eigen::Vector2d edge = corners[(k + 1) % 3] - from;
       const double share = std::clamp((at - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
       in_plane = std::min(in_plane, (at - from - share * edge).norm());
     }
