@@ -8,8 +8,9 @@
 #include "wristwise/corner_options.hpp"
 #include "wristwise/robot.hpp"
 #include "wristwise/seam.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 // Poses are in the base frame. `where` names the input in messages; empty: by its number.
 
