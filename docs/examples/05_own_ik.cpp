@@ -72,7 +72,7 @@ class PlanarArm final : public wristwise::InverseKinematics {
 
 void print(const wristwise::PlanResult& result) {
   std::cout << result.inverse_kinematics << ": cost " << std::setprecision(10) << result.graph.cost
-            << std::setprecision(3) << ", sampled in " << 1000 * result.timing.sampling << " ms\n";
+            << std::setprecision(3) << ", sampled in " << result.timing.sampling << " s\n";
 }
 
 }  // namespace
