@@ -151,6 +151,9 @@ struct PlanResult {
   Timing timing;
 };
 
+// All of these throw InvalidInput, naming the member, for a problem that is not complete or does
+// not fit together: no robot, fewer than two waypoints, options out of range or not one per joint.
+
 /// Both stages: ladder graph, refinement, verification.
 PlanResult plan(const Problem& problem, const PlanOptions& options = {});
 

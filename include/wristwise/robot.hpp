@@ -74,6 +74,7 @@ class Robot {
   const std::vector<std::pair<int, int>>& adjacent_links() const { return parts_.adjacent_links; }
   const std::vector<std::string>& warnings() const { return parts_.warnings; }
 
+  std::vector<std::string> joint_names() const;  ///< in chain order
   JointVector lower_limits() const;
   JointVector upper_limits() const;
   JointVector velocity_limits() const;

@@ -44,7 +44,8 @@ TrajectoryFile read_trajectory(const std::filesystem::path& file,
                                const std::vector<std::string>& joint_names);
 
 /// Write CSV with as many digits as give the same double back; the file appears whole or not at
-/// all.
+/// all. @throws InvalidInput where its folder does not exist; std::runtime_error where it can't be
+/// written.
 void write_path(const std::filesystem::path& file, const std::vector<std::string>& joint_names,
                 const JointPath& path, const SeamColumns& seam = {});
 void write_trajectory(const std::filesystem::path& file,

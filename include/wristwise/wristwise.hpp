@@ -1,6 +1,7 @@
 #pragma once
 
 #include "wristwise/clearance.hpp"
+#include "wristwise/corner_options.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/export_options.hpp"
 #include "wristwise/geometry.hpp"
@@ -22,6 +23,7 @@
 #include "wristwise/robot_program.hpp"
 #include "wristwise/scene.hpp"
 #include "wristwise/seam.hpp"
+#include "wristwise/seam_description.hpp"
 #include "wristwise/smoothing.hpp"
 #include "wristwise/swept_clearance.hpp"
 #include "wristwise/tolerance.hpp"

@@ -118,6 +118,16 @@ consumer_static() {
   ! uses_shared "$folder/consumer_static/consumer" || fail "linked with the shared library"
 }
 
+# From the folder as it is installed, with its own CMake file.
+examples() {
+  cmake -S "$tree/share/doc/wristwise/examples" -B "$folder/examples" -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_PREFIX_PATH="$tree"
+  cmake --build "$folder/examples" --parallel 2
+  local planar=$tree/share/wristwise/problems/planar_3r.yaml
+  "$folder/examples/01_plan_a_seam" "$planar" "$folder/planar.csv"
+  "$folder/examples/07_check_a_file" "$planar" "$folder/planar.csv" | grep -x passed
+}
+
 consumer_wider_vectors() {
   configure_consumer consumer_wider_vectors -DCMAKE_CXX_FLAGS=-march=native
   build_and_run consumer_wider_vectors
