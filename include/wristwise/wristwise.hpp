@@ -6,12 +6,12 @@
 /// @mainpage
 /// A weld seam in, a smooth, collision-free, verified joint trajectory out. Data flows one way:
 ///
-/// | step | functions | types |
-/// |---|---|---|
-/// | read | load_problem(), load_robot(), load_mesh(), read_joint_path() | Problem, Robot, Scene,
-/// Task | | plan | plan(), plan_graph_only(), smooth(), place() | PlanOptions, PlanResult | | check
-/// | check(), verify() | Verification | | write | write_path(), write_trajectory(), write_dense(),
-/// write_program() | RobotProgram |
+/// - read: load_problem() gives a Problem; load_robot(), load_mesh(), read_joint_path() its parts
+/// - plan: plan(), plan_graph_only(), smooth() give a PlanResult; place() says where the part
+/// should
+///   stand
+/// - check: check(), verify() give a Verification
+/// - write: write_path(), write_trajectory(), write_dense(), write_program()
 ///
 /// A Problem is a plain struct: it may be filled in without a file, and any part of one that was
 /// read may be replaced (CostOptions::vertex_cost, Problem::inverse_kinematics, Scene::objects).
