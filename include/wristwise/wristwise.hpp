@@ -7,9 +7,7 @@
 /// A weld seam in, a smooth, collision-free, verified joint trajectory out. Data flows one way:
 ///
 /// - read: load_problem() gives a Problem; load_robot(), load_mesh(), read_joint_path() its parts
-/// - plan: plan(), plan_graph_only(), smooth() give a PlanResult; place() says where the part
-/// should
-///   stand
+/// - plan: plan(), plan_graph_only(), smooth() give a PlanResult; place() looks for a better place
 /// - check: check(), verify() give a Verification
 /// - write: write_path(), write_trajectory(), write_dense(), write_program()
 ///
