@@ -1,0 +1,66 @@
+"""check_docs.py SOURCE BUILD WHAT [PAGE...]: checks README.md and docs/*.md.
+
+WHAT is `commands` (run the blocks of PAGE), `inline` (words of commands in the text), `references`
+(links, files, formulas, names) or `snippets` (YAML, JSON, C++ ...). One line a fault; exit status 1
+where there is one, 77 (skipped) without the packages that the snippets need."""
+
+import pathlib
+import sys
+import tempfile
+
+import commands
+import references
+import shell_blocks
+from pages import Page, all_pages
+
+
+def command_faults(root: pathlib.Path, build: pathlib.Path, names: list[str]) -> list[str]:
+    checker = commands.Checker(root, build)
+    faults = []
+    for name in names:
+        with tempfile.TemporaryDirectory(prefix="wristwise_docs_") as folder:
+            clone = shell_blocks.Clone(root, build, pathlib.Path(folder))
+            run = shell_blocks.PageRun(Page(root, name), clone, checker)
+            faults += run.run()
+            print(f"{name}: {run.run_blocks} blocks run")
+    return faults
+
+
+def inline_faults(root: pathlib.Path, build: pathlib.Path) -> list[str]:
+    checker = commands.Checker(root, build)
+    return [f"{page.where(span.line)}: {fault}" for page in all_pages(root)
+            for span in page.code + page.synopses for fault in checker.faults(span.text)]
+
+
+def reference_faults(root: pathlib.Path) -> list[str]:
+    pages = {page.name: page for page in all_pages(root)}
+    tree = references.Tree(root)
+    return [fault for page in pages.values()
+            for fault in references.References(page, pages, tree).check()]
+
+
+def snippet_faults(root: pathlib.Path) -> list[str]:
+    try:
+        import snippets  # pylint: disable=import-outside-toplevel
+    except ImportError as missing:
+        print(f"skipped: {missing}")
+        sys.exit(77)
+    reference = snippets.Reference(root)
+    return [fault for page in all_pages(root)
+            for fault in snippets.Snippets(page, reference).check()]
+
+
+def main(root: pathlib.Path, build: pathlib.Path, what: str, names: list[str]) -> int:
+    faults = {
+        "commands": lambda: command_faults(root, build, names),
+        "inline": lambda: inline_faults(root, build),
+        "references": lambda: reference_faults(root),
+        "snippets": lambda: snippet_faults(root),
+    }[what]()
+    print("\n".join(faults) or f"{what}: no fault")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    source, built = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
+    sys.exit(main(source, built, sys.argv[3], sys.argv[4:]))

@@ -1,0 +1,178 @@
+"""check_docs_test.py SOURCE BUILD: faults planted into a page must be found, and a page without any
+must pass."""
+
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+
+import check_docs
+
+SOURCE = pathlib.Path(sys.argv[1]).resolve()
+BUILD = pathlib.Path(sys.argv[2]).resolve()
+INFO = "build/wristwise info robots/planar_3r/planar_3r.urdf"
+
+
+class Planted(unittest.TestCase):
+    """A source tree with one page of ours in it."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="wristwise_planted_")
+        self.addCleanup(self.folder.cleanup)
+        self.root = pathlib.Path(self.folder.name)
+        for name in ["src", "include", "tests", "problems", "robots", "bootstrap.sh", ".ci"]:
+            (self.root / name).symlink_to(SOURCE / name)
+        (self.root / "docs").mkdir()
+        for name in ["formulation.md", "problem-file.schema.json"]:
+            shutil.copy(SOURCE / "docs" / name, self.root / "docs" / name)
+        (self.root / "README.md").write_text("# wristwise\n")
+
+    def page(self, text):
+        (self.root / "docs/page.md").write_text(text)
+
+    def commands(self, text, language="sh"):
+        self.page(f"```{language}\n{text}\n```\n")
+        return check_docs.command_faults(self.root, BUILD, ["docs/page.md"])
+
+    def printed(self, sample):
+        self.page(f"```sh\n{INFO}\n```\n```console\n{sample}\n```\n")
+        return check_docs.command_faults(self.root, BUILD, ["docs/page.md"])
+
+    def of_page(self, faults):
+        return [fault for fault in faults if fault.startswith("docs/page.md")]
+
+    def inline(self, text):
+        self.page(text)
+        return self.of_page(check_docs.inline_faults(self.root, BUILD))
+
+    def references(self, text):
+        self.page(text)
+        return self.of_page(check_docs.reference_faults(self.root))
+
+    def snippets(self, text):
+        self.page(text)
+        return self.of_page(check_docs.snippet_faults(self.root))
+
+
+class Commands(Planted):
+    def test_what_works_passes(self):
+        self.assertEqual(self.commands(INFO), [])
+        self.assertEqual(self.commands("wristwise info robots/planar_3r/planar_3r.urdf"), [])
+        self.assertEqual(self.commands(f"{INFO} \\\n  --quiet\nls problems > list.txt"), [])
+
+    def test_what_fails_is_found(self):
+        self.assertTrue(self.commands("false"))
+        self.assertTrue(self.commands(f"false\n{INFO}"))
+        self.assertTrue(self.commands("false | true"))
+        self.assertTrue(self.commands(INFO.replace("info", "inform")))
+        self.assertTrue(self.commands(INFO.replace("planar_3r.urdf", "planar_4r.urdf")))
+        self.assertTrue(self.commands(f"{INFO} --no-such-option"))
+        self.assertTrue(self.commands(f"$ {INFO} --no-such-option", "console"))
+
+    def test_exit_status_is_the_one_stated(self):
+        wrong = INFO.replace("planar_3r.urdf", "planar_4r.urdf")
+        self.assertEqual(self.commands(f"{wrong}   # exit status 2"), [])
+        self.assertTrue(self.commands(f"{wrong}   # exit status 1"))
+        self.assertTrue(self.commands(f"{INFO}   # exit status 2"))
+
+    def test_by_hand_is_not_run_but_looked_at(self):
+        self.assertEqual(self.commands("false   # by hand: as root"), [])
+        self.assertTrue(self.commands(f"{INFO} --no-such-option   # by hand"))
+        self.assertTrue(self.commands("build/tests/no_benchmark   # by hand"))
+        self.assertTrue(self.commands(
+            "build/tests/graph_benchmark --benchmark_filter=NoSuch   # by hand"))
+        self.assertTrue(self.commands(f"{INFO} \\\n  --no-such-option   # by hand"))
+
+    def test_bootstrap_is_what_ci_runs(self):
+        self.assertEqual(self.commands("./bootstrap.sh && true"), [])
+        self.assertTrue(self.commands("./bootstrap.sh && false"))
+        self.assertTrue(self.commands("./bootstrap.sh everything"))
+        of_ci = (SOURCE / ".ci/run").read_text().strip().splitlines()[-1]
+        self.assertEqual(self.commands(of_ci), [])
+        self.assertTrue(self.commands(of_ci.replace("ctest", "no_such_ctest")))
+
+    def test_samples_are_what_is_printed(self):
+        self.assertEqual(self.printed("planar_3r: base_link to ...\n...\nbodies\n..."), [])
+        self.assertTrue(self.printed("planar_4r: base_link to ..."))
+        self.assertTrue(self.printed("bodies\n...\nplanar_3r: base_link to ..."))
+        self.assertTrue(self.printed("planar_3r: base_link to torch_tip, 4 joints"))
+        self.assertEqual(self.commands(f"$ {INFO}\nplanar_3r: ...", "console"), [])
+        self.assertTrue(self.commands(f"$ {INFO}\nplanar_4r: ...", "console"))
+
+    def test_nothing_is_written_into_the_source(self):
+        before = sorted((SOURCE / "problems").iterdir())
+        self.assertEqual(self.commands("touch problems/new.yaml"), [])
+        self.assertEqual(sorted((SOURCE / "problems").iterdir()), before)
+
+
+class Inline(Planted):
+    def test_what_exists_passes(self):
+        self.assertEqual(self.inline("`wristwise plan problems/planar_3r.yaml --no-report`"), [])
+        self.assertEqual(self.inline("`graph_benchmark --benchmark_filter=KnownGraph`"), [])
+        self.assertEqual(self.inline("`acceptance/placement_test`, `ctest -R docs.references`, `--mode`"), [])
+        self.assertEqual(self.inline("```text\nwristwise plan P.yaml\n     [--mode graph-only]\n```"), [])
+
+    def test_what_does_not_is_found(self):
+        for text in ["wristwise plan problems/planar_4r.yaml", "wristwise plan --no-reports",
+                     "time build/wristwise --threads 1 planned", "--no-reports", "wristwise draw",
+                     "graph_benchmark --benchmark_filter=NoSuch", "no_such_benchmark",
+                     "random_seams_report --seeds 1", "acceptance/no_such_test", "no_such_test",
+                     "ctest --test-dir build -R no_such_test"]:
+            with self.subTest(text):
+                self.assertTrue(self.inline(f"| a | `{text}` |"))
+        self.assertTrue(self.inline("```text\nwristwise plan P.yaml\n     [--modes graph-only]\n```"))
+
+
+class References(Planted):
+    def test_what_exists_passes(self):
+        self.assertEqual(self.references(
+            "# A page\n[a](#a-page) [b](../README.md#wristwise) [c](https://example.org) (F3) "
+            "`src/plan.cpp`, `src/task/{pose,seam}.cpp`, `src/io/*_section.cpp`, `plan.cpp`, "
+            "`CostOptions::vertex_cost`, `[x](y.md)`"), [])
+
+    def test_what_does_not_is_found(self):
+        for text in ["[a](no_such.md)", "[a](#no-such)", "[a](../README.md#no-such)",
+                     "![a](pictures/no_such.svg)", "`src/no_such.cpp`", "`src/task/{pose,no}.cpp`",
+                     "`no_such.cpp`", "(F999)", "`CostOptions::no_such`", "`NoSuch::cost`"]:
+            with self.subTest(text):
+                self.assertEqual(len(self.references(f"# A page\n{text}\n")), 1)
+
+    def test_drawings_are_small_xml(self):
+        drawing = self.root / "docs/a.svg"
+        for content, faults in [("<svg/>", 0), ("<svg>", 1), (f"<svg>{'a' * 70000}</svg>", 1)]:
+            drawing.write_text(content)
+            self.assertEqual(len(self.references("![a](a.svg)")), faults)
+
+    def test_parts_of_folders(self):
+        (self.root / "docs/architecture.md").write_text(
+            "| `src/task/` | pose (`pose`, `no_such`) |\n")
+        faults = check_docs.reference_faults(self.root)
+        self.assertEqual(len([fault for fault in faults if "no_such" in fault]), 1)
+        self.assertEqual(len([fault for fault in faults if "'pose'" in fault]), 0)
+
+
+class Snippets(Planted):
+    def test_what_is_right_passes(self):
+        self.assertEqual(self.snippets(
+            "```yaml\npath:\n  speed: 10 mm/s\n  run_in: 10 mm\n```\n"
+            "```yaml\ngraph:\n  samples: {rz: 10 deg}\n  ...\n```\n"
+            "```json\n{\"a\": 1}\n```\n```xml\n<a/><b/>\n```\n`path.run_in`, `graph.first_turns`"), [])
+
+    def test_what_is_wrong_is_found(self):
+        for text in ["```yaml\npath:\n  no_such_key: 1\n```", "```yaml\nno_such_section: 1\n```",
+                     "```yaml\npath: {\n```", "```yaml\npath: {segments: [{line: {form: 1}}]}\n```",
+                     "```json\n{a: 1}\n```", "```xml\n<a>\n```", "```cpp\nint no_such_code();\n```",
+                     "```\nwithout a language\n```", "`path.no_such`"]:
+            with self.subTest(text):
+                self.assertEqual(len(self.snippets(text)), 1)
+
+    def test_code_of_examples_passes(self):
+        example = (SOURCE / "docs/examples/plan_a_seam.cpp").read_text()
+        (self.root / "docs/examples").symlink_to(SOURCE / "docs/examples")
+        self.assertEqual(self.snippets(f"```cpp\n{example}```"), [])
+        self.assertTrue(self.snippets(f"```cpp\n{example.replace('plan(', 'planned(')}```"))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
