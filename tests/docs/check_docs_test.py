@@ -100,6 +100,14 @@ class Commands(Planted):
         self.assertEqual(self.commands(f"$ {INFO}\nplanar_3r: ...", "console"), [])
         self.assertTrue(self.commands(f"$ {INFO}\nplanar_4r: ...", "console"))
 
+    def test_files_with_a_name_are_written(self):
+        def faults(first_line):
+            self.page(f"```yaml\n{first_line}\ngraph: {{seeds: 2}}\n```\n"
+                      "```sh\ngrep -q 'seeds: 2' my/part.yaml\n```\n")
+            return check_docs.command_faults(self.root, BUILD, ["docs/page.md"])
+        self.assertEqual(faults("# my/part.yaml"), [])
+        self.assertTrue(faults("# my/other.yaml"))
+
     def test_nothing_is_written_into_the_source(self):
         before = sorted((SOURCE / "problems").iterdir())
         self.assertEqual(self.commands("touch problems/new.yaml"), [])

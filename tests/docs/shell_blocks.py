@@ -3,6 +3,7 @@ in docs/README.md:
 
 - a block `sh` is run, from top to bottom, and ends with status 0 or the one of its `# exit status N`;
 - a line with `# by hand` is not run; of that its words are checked (commands.py);
+- a block `yaml` whose first line is `# folder/file.yaml` is written there;
 - a block `console` is what the commands above it print, words alike and numbers within 5%, times in s
   aside; `...` stands for what is left out. Lines in it that begin with `$ ` are commands themselves.
 """
@@ -36,6 +37,13 @@ class Clone:
         (folder / "build").symlink_to(build)
         self.environment = dict(os.environ, HOME=str(folder), PYTHONDONTWRITEBYTECODE="1")
         self.environment["PATH"] = f"{build}:{os.environ['PATH']}"
+
+    def write_named(self, text: str) -> None:
+        """Writes a file where its first line says which."""
+        name = re.match(r"# (\w[\w./-]*/[\w.-]+)$", text.split("\n", 1)[0])
+        if name:
+            (self.folder / name[1]).parent.mkdir(parents=True, exist_ok=True)
+            (self.folder / name[1]).write_text(text)
 
     def run(self, script: str) -> tuple[int, str]:
         """Exit status and all that is printed."""
@@ -109,6 +117,8 @@ class PageRun:
                 self._run(block, block.text)
             elif block.language == "console":
                 self._session(block)
+            elif block.language == "yaml":
+                self.clone.write_named(block.text)
         return self.faults
 
     def _fault(self, block: Block, text: str) -> None:
