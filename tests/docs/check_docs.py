@@ -8,6 +8,7 @@ import pathlib
 import sys
 import tempfile
 
+import architecture
 import commands
 import references
 import shell_blocks
@@ -28,15 +29,30 @@ def command_faults(root: pathlib.Path, build: pathlib.Path, names: list[str]) ->
 
 def inline_faults(root: pathlib.Path, build: pathlib.Path) -> list[str]:
     checker = commands.Checker(root, build)
-    return [f"{page.where(span.line)}: {fault}" for page in all_pages(root)
-            for span in page.code + page.synopses for fault in checker.faults(span.text)]
+    pages = all_pages(root)
+    faults = [f"{page.where(span.line)}: {fault}" for page in pages
+              for span in page.code + page.synopses for fault in checker.faults(span.text)]
+    return faults + [fault for page in pages if page.name == "docs/benchmarks.md"
+                     for fault in without_command(page, checker)]
+
+
+def without_command(page: Page, checker: commands.Checker) -> list[str]:
+    """Sections in which no command says where the numbers come from."""
+    starts = [number for number, line in enumerate(page.file.read_text().splitlines(), 1)
+              if line.startswith("## ")]
+    ends = [*starts[1:], 10**9]
+    return [f"{page.where(start)}: a section without a command" for start, end in zip(starts, ends)
+            if not any(start < code.line < end and checker.knows(code.text) for code in page.code)]
 
 
 def reference_faults(root: pathlib.Path) -> list[str]:
     pages = {page.name: page for page in all_pages(root)}
     tree = references.Tree(root)
-    return [fault for page in pages.values()
-            for fault in references.References(page, pages, tree).check()]
+    faults = [fault for page in pages.values()
+              for fault in references.References(page, pages, tree).check()]
+    if architecture.PAGE in pages:
+        faults += architecture.Architecture(pages[architecture.PAGE], tree).check()
+    return faults
 
 
 def snippet_faults(root: pathlib.Path) -> list[str]:

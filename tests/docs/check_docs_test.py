@@ -121,12 +121,20 @@ class Inline(Planted):
         self.assertEqual(self.inline("`acceptance/placement_test`, `ctest -R docs.references`, `--mode`"), [])
         self.assertEqual(self.inline("```text\nwristwise plan P.yaml\n     [--mode graph-only]\n```"), [])
 
+    def test_sections_of_benchmarks_have_a_command(self):
+        def faults(text):
+            (self.root / "docs/benchmarks.md").write_text(f"# Benchmarks\n## One\n{text}\n")
+            return check_docs.inline_faults(self.root, BUILD)
+        self.assertEqual(faults("`graph_benchmark` takes 1 s"), [])
+        self.assertTrue(faults("`it` takes 1 s"))
+        self.assertTrue(faults("`graph_benchmark` takes 1 s\n## Two\n2 s"))
+
     def test_what_does_not_is_found(self):
         for text in ["wristwise plan problems/planar_4r.yaml", "wristwise plan --no-reports",
                      "time build/wristwise --threads 1 planned", "--no-reports", "wristwise draw",
                      "graph_benchmark --benchmark_filter=NoSuch", "no_such_benchmark",
                      "random_seams_report --seeds 1", "acceptance/no_such_test", "no_such_test",
-                     "ctest --test-dir build -R no_such_test"]:
+                     "ctest --test-dir build -R no_such_test", "tests/no_such.py a"]:
             with self.subTest(text):
                 self.assertTrue(self.inline(f"| a | `{text}` |"))
         self.assertTrue(self.inline("```text\nwristwise plan P.yaml\n     [--modes graph-only]\n```"))
@@ -152,12 +160,22 @@ class References(Planted):
             drawing.write_text(content)
             self.assertEqual(len(self.references("![a](a.svg)")), faults)
 
-    def test_parts_of_folders(self):
-        (self.root / "docs/architecture.md").write_text(
-            "| `src/task/` | pose (`pose`, `no_such`) |\n")
-        faults = check_docs.reference_faults(self.root)
-        self.assertEqual(len([fault for fault in faults if "no_such" in fault]), 1)
-        self.assertEqual(len([fault for fault in faults if "'pose'" in fault]), 0)
+
+
+class Architecture(Planted):
+    def faults(self, row):
+        (self.root / "docs/architecture.md").write_text(f"{row}\n")
+        return [fault for fault in check_docs.reference_faults(self.root)
+                if fault.startswith("docs/architecture.md")]
+
+    def test_names_in_folders(self):
+        self.assertEqual(self.faults("| `src/task/` | pose (`pose`, `seam*`) |"), [])
+        self.assertEqual(len(self.faults("| `src/task/` | pose (`pose`, `no_such`) |")), 1)
+
+    def test_libraries(self):
+        self.assertEqual(self.faults("| CLI11 | `src/app/main.cpp`, `tests/benchmarks/` | a |"), [])
+        self.assertTrue(self.faults("| CLI11 | `tests/benchmarks/` | a |"))
+        self.assertTrue(self.faults("| Ceres | `src/refine/spline_solver.cpp` | a |"))
 
 
 class Snippets(Planted):

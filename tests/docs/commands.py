@@ -13,6 +13,21 @@ OPTION = re.compile(r"--[a-zA-Z][\w-]*")
 OF_OTHERS = {"--benchmark_filter", "--help", "--version"}
 
 
+def words_of(command: str) -> list[str]:
+    """The program and its arguments."""
+    try:
+        words = shlex.split(command, comments=True)
+    except ValueError:
+        return []  # a piece of prose between backticks
+    while words and (words[0] in ("time", "sudo") or re.match(r"\w+=", words[0])):
+        words.pop(0)
+    return words
+
+
+def program_of(word: str) -> str:
+    return re.sub(r"^(build/|tests/)*", "", word)
+
+
 class Checker:
     """Knows the programs of a build and the files of a source tree."""
 
@@ -21,30 +36,32 @@ class Checker:
 
     def faults(self, command: str) -> list[str]:
         """What is wrong with a command line; nothing where it is none of ours."""
-        try:
-            words = shlex.split(command, comments=True)
-        except ValueError:
-            return []  # a piece of prose between backticks
-        while words and (words[0] in ("time", "sudo") or re.match(r"\w+=", words[0])):
-            words.pop(0)
-        if not words:
-            return []
-        program = re.sub(r"^(build/|tests/)*", "", words[0])
+        words = words_of(command)
+        check = self._check_of(words[0]) if words else None
+        return [f"{fault}: {command.strip()}" for fault in check(words)] if check else []
+
+    def knows(self, command: str) -> bool:
+        """Whether it is a command line of ours."""
+        words = words_of(command)
+        return bool(words) and self._check_of(words[0]) is not None
+
+    def _check_of(self, word: str):
+        program = program_of(word)
         if program == "wristwise":
-            faults = self._wristwise(words[1:])
-        elif program.endswith("_benchmark") or program == "random_seams_report":
-            faults = self._measurement(program, words[1:])
-        elif program.endswith("_test"):
-            faults = self._test(program)
-        elif program == "ctest":
-            faults = self._ctest(words[1:])
-        elif program == "./bootstrap.sh":
-            faults = self._bootstrap(words[1:])
-        elif words[0].startswith("--"):
-            faults = self._option_of_any(words[0])
-        else:
-            faults = []
-        return [f"{fault}: {command.strip()}" for fault in faults]
+            return self._wristwise
+        if program.endswith("_benchmark") or program == "random_seams_report":
+            return self._measurement
+        if program.endswith("_test"):
+            return self._test
+        if program == "ctest":
+            return self._ctest
+        if program == "./bootstrap.sh":
+            return self._bootstrap
+        if program.startswith("--"):
+            return self._option_of_any
+        if program.endswith(".py"):
+            return self._script
+        return None
 
     def without_installation(self, script: str) -> tuple[str, list[str]]:
         """The script without its calls of bootstrap.sh, which CI has run, and what is wrong with
@@ -73,6 +90,7 @@ class Checker:
         return set(OPTION.findall(self._help("wristwise", subcommand))) | OF_OTHERS
 
     def _wristwise(self, words: list[str]) -> list[str]:
+        words = words[1:]
         if not self._subcommands:
             return ["wristwise is not built, or lists no subcommands"]
         subcommand = next((word for word in words if word in self._subcommands), None)
@@ -89,7 +107,8 @@ class Checker:
                 faults.append(f"no such file '{word}'")
         return faults
 
-    def _measurement(self, program: str, words: list[str]) -> list[str]:
+    def _measurement(self, words: list[str]) -> list[str]:
+        program, words = program_of(words[0]), words[1:]
         binary = self.build / "tests" / program.split("/")[-1]
         if not binary.exists():
             return [f"{binary.name} is not built"]
@@ -104,7 +123,8 @@ class Checker:
         names = [line for line in listed.stdout.splitlines() if re.match(r"\w+", line)]
         return [] if listed.returncode == 0 and names else ["the filter finds no benchmark"]
 
-    def _test(self, program: str) -> list[str]:
+    def _test(self, words: list[str]) -> list[str]:
+        program = program_of(words[0])
         sources = [self.root / "tests" / f"{program}{suffix}" for suffix in (".cpp", ".py")]
         return [] if any(source.exists() for source in sources) else [f"no test '{program}'"]
 
@@ -123,10 +143,14 @@ class Checker:
         if not os.access(script, os.X_OK):
             return ["bootstrap.sh can't be run"]
         usage = re.findall(r"^#   \./bootstrap\.sh ?(\w*)", script.read_text(), re.MULTILINE)
-        return [] if " ".join(words) in usage else ["bootstrap.sh does not take that"]
+        return [] if " ".join(words[1:]) in usage else ["bootstrap.sh does not take that"]
 
-    def _option_of_any(self, word: str) -> list[str]:
-        option = OPTION.match(word)
+    def _script(self, words: list[str]) -> list[str]:
+        exists = (self.root / words[0]).exists() or "/" not in words[0]
+        return [] if exists else [f"no script '{words[0]}'"]
+
+    def _option_of_any(self, words: list[str]) -> list[str]:
+        option = OPTION.match(words[0])
         known = set().union(*(self._options(each) for each in self._subcommands))
         known |= set(OPTION.findall(self._help("wristwise")))
         known |= set(OPTION.findall(self._help("tests/random_seams_report")))

@@ -65,8 +65,6 @@ class References:
             self._public_name(code)
         for part in self.page.prose:
             self._formulas(part)
-            if self.page.name == "docs/architecture.md":
-                self._parts_of_folder(part)
         return self.faults
 
     def _fault(self, span: Span, text: str) -> None:
@@ -112,12 +110,3 @@ class References:
         for label in re.findall(r"\((?:[^()]* )?(F\d+)\b", part.text):
             if label not in self.tree.formulas:
                 self._fault(part, f"no formula {label}")
-
-    def _parts_of_folder(self, row: Span) -> None:
-        """Of a row `src/<folder>/` the bare names are files in that folder."""
-        folder = re.match(r"\| `(src/\w+/)` \|", row.text)
-        if not folder:
-            return
-        for name in re.findall(r"`(\w[\w*]*)`", row.text):
-            if not self.tree.has(f"{folder[1]}{name}*"):
-                self._fault(row, f"nothing in {folder[1]} is called '{name}'")
