@@ -1,9 +1,10 @@
 """check_docs.py SOURCE BUILD WHAT [PAGE...]: checks README.md and docs/*.md.
 
 WHAT is `commands` (run the blocks of PAGE), `inline` (words of commands in the text), `references`
-(links, files, formulas, names) or `snippets` (YAML, JSON, C++ ...). One line a fault; exit status 1
-where there is one, 77 (skipped) without the packages that the snippets need."""
+(links, files, formulas, names), `snippets` (YAML, JSON, C++ ...) or `defaults` (of the problem file).
+One line a fault; exit status 1 where there is one, 77 (skipped) without jsonschema and yaml."""
 
+import importlib
 import pathlib
 import sys
 import tempfile
@@ -56,14 +57,25 @@ def reference_faults(root: pathlib.Path) -> list[str]:
 
 
 def snippet_faults(root: pathlib.Path) -> list[str]:
-    try:
-        import snippets  # pylint: disable=import-outside-toplevel
-    except ImportError as missing:
-        print(f"skipped: {missing}")
-        sys.exit(77)
+    snippets = with_packages("snippets")
     reference = snippets.Reference(root)
     return [fault for page in all_pages(root)
             for fault in snippets.Snippets(page, reference).check()]
+
+
+def default_faults(root: pathlib.Path, build: pathlib.Path) -> list[str]:
+    defaults = with_packages("defaults")
+    with tempfile.TemporaryDirectory(prefix="wristwise_docs_") as folder:
+        return defaults.faults(root, build, pathlib.Path(folder))
+
+
+def with_packages(module: str):
+    """A module that needs packages beside Python's own."""
+    try:
+        return importlib.import_module(module)
+    except ImportError as missing:
+        print(f"skipped: {missing}")
+        sys.exit(77)
 
 
 def main(root: pathlib.Path, build: pathlib.Path, what: str, names: list[str]) -> int:
@@ -72,6 +84,7 @@ def main(root: pathlib.Path, build: pathlib.Path, what: str, names: list[str]) -
         "inline": lambda: inline_faults(root, build),
         "references": lambda: reference_faults(root),
         "snippets": lambda: snippet_faults(root),
+        "defaults": lambda: default_faults(root, build),
     }[what]()
     print("\n".join(faults) or f"{what}: no fault")
     return 1 if faults else 0

@@ -200,5 +200,29 @@ class Snippets(Planted):
         self.assertTrue(self.snippets(f"```cpp\n{example.replace('plan(', 'planned(')}```"))
 
 
+class Defaults(Planted):
+    def setUp(self):
+        super().setUp()
+        shutil.copy(SOURCE / "docs/problem-file.md", self.root / "docs")
+
+    def faults_with(self, file, old, new):
+        text = (SOURCE / "docs" / file).read_text()
+        self.assertEqual(text.count(old), 1, old)
+        (self.root / "docs" / file).write_text(text.replace(old, new))
+        return check_docs.default_faults(self.root, BUILD)
+
+    def test_what_is_used_is_stated(self):
+        self.assertEqual(check_docs.default_faults(self.root, BUILD), [])
+
+    def test_other_defaults_are_found(self):
+        row = "| `smoothing_time` | s | 2.5 |"
+        self.assertEqual(len(self.faults_with("problem-file.md", row, row.replace("2.5", "2.4"))), 1)
+        shutil.copy(SOURCE / "docs/problem-file.md", self.root / "docs")
+        for old, new in [('"default": "$OUT[1]=TRUE"', '"default": "$OUT[2]=TRUE"'),
+                         ('"default": 2.5', '"default": 2.4'), ('"default": "4 ms"', '"default": "5 ms"')]:
+            with self.subTest(old):
+                self.assertTrue(self.faults_with("problem-file.schema.json", old, new))
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
