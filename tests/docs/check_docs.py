@@ -11,6 +11,7 @@ import tempfile
 
 import architecture
 import commands
+import formulas
 import references
 import shell_blocks
 from pages import Page, all_pages
@@ -53,7 +54,7 @@ def reference_faults(root: pathlib.Path) -> list[str]:
               for fault in references.References(page, pages, tree).check()]
     if architecture.PAGE in pages:
         faults += architecture.Architecture(pages[architecture.PAGE], tree).check()
-    return faults
+    return faults + formulas.faults(pages[formulas.PAGE], tree)
 
 
 def snippet_faults(root: pathlib.Path) -> list[str]:

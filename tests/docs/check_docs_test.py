@@ -154,6 +154,16 @@ class References(Planted):
             with self.subTest(text):
                 self.assertEqual(len(self.references(f"# A page\n{text}\n")), 1)
 
+    def test_formulas_have_code_and_test(self):
+        page = self.root / "docs/formulation.md"
+        text = page.read_text()
+        for old, new in [("### (F9) ", "### (F999) "), ("Code: `src/", "In `src/"), ("| F9 |", "| F8 |")]:
+            page.write_text(text.replace(old, new, 1))
+            with self.subTest(old):
+                self.assertTrue(check_docs.reference_faults(self.root))
+        page.write_text(text)
+        self.assertEqual(self.references("# A page"), [])
+
     def test_drawings_are_small_xml(self):
         drawing = self.root / "docs/a.svg"
         for content, faults in [("<svg/>", 0), ("<svg>", 1), (f"<svg>{'a' * 70000}</svg>", 1)]:
