@@ -1,8 +1,9 @@
 """check_docs.py SOURCE BUILD WHAT [PAGE...]: checks README.md and docs/*.md.
 
 WHAT is `commands` (run the blocks of PAGE), `inline` (words of commands in the text), `references`
-(links, files, formulas, names), `snippets` (YAML, JSON, C++ ...) or `defaults` (of the problem file).
-One line a fault; exit status 1 where there is one, 77 (skipped) without jsonschema and yaml."""
+(links, files, formulas, names), `snippets` (YAML, JSON, C++ ...), `defaults` (of the problem file) or
+`result_keys` (of result.json). One line a fault; exit status 1 where there is one, 77 (skipped) without
+jsonschema and yaml."""
 
 import importlib
 import pathlib
@@ -13,6 +14,7 @@ import architecture
 import commands
 import formulas
 import references
+import result_keys
 import shell_blocks
 from pages import Page, all_pages
 
@@ -70,6 +72,11 @@ def default_faults(root: pathlib.Path, build: pathlib.Path) -> list[str]:
         return defaults.faults(root, build, pathlib.Path(folder))
 
 
+def result_key_faults(root: pathlib.Path, build: pathlib.Path) -> list[str]:
+    with tempfile.TemporaryDirectory(prefix="wristwise_docs_") as folder:
+        return result_keys.faults(root, build, pathlib.Path(folder))
+
+
 def with_packages(module: str):
     """A module that needs packages beside Python's own."""
     try:
@@ -86,6 +93,7 @@ def main(root: pathlib.Path, build: pathlib.Path, what: str, names: list[str]) -
         "references": lambda: reference_faults(root),
         "snippets": lambda: snippet_faults(root),
         "defaults": lambda: default_faults(root, build),
+        "result_keys": lambda: result_key_faults(root, build),
     }[what]()
     print("\n".join(faults) or f"{what}: no fault")
     return 1 if faults else 0

@@ -234,5 +234,17 @@ class Defaults(Planted):
                 self.assertTrue(self.faults_with("problem-file.schema.json", old, new))
 
 
+class ResultKeys(Planted):
+    def test_each_key_is_described(self):
+        text = (SOURCE / "docs/results.md").read_text()
+        page = self.root / "docs/results.md"
+        page.write_text(text)
+        self.assertEqual(check_docs.result_key_faults(self.root, BUILD), [])
+        page.write_text(text.replace("`refine.rounds`, ", "", 1))
+        self.assertEqual(len(check_docs.result_key_faults(self.root, BUILD)), 1)
+        page.write_text(text.replace("`refine.rounds`", "`refine.rounds`, `refine.turns`", 1))
+        self.assertEqual(len(check_docs.result_key_faults(self.root, BUILD)), 1)
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
