@@ -74,7 +74,8 @@ def default_faults(root: pathlib.Path, build: pathlib.Path) -> list[str]:
 
 def result_key_faults(root: pathlib.Path, build: pathlib.Path) -> list[str]:
     with tempfile.TemporaryDirectory(prefix="wristwise_docs_") as folder:
-        return result_keys.faults(root, build, pathlib.Path(folder))
+        keys = result_keys.keys_of_runs(root, build, pathlib.Path(folder))
+    return result_keys.faults(Page(root, result_keys.PAGE), keys)
 
 
 def with_packages(module: str):

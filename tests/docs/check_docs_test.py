@@ -8,6 +8,8 @@ import tempfile
 import unittest
 
 import check_docs
+import result_keys
+from pages import Page
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 BUILD = pathlib.Path(sys.argv[2]).resolve()
@@ -235,15 +237,22 @@ class Defaults(Planted):
 
 
 class ResultKeys(Planted):
+    def faults(self, text):
+        (self.root / "docs/results.md").write_text(text)
+        keys = {"status", "refine.rounds", "refine.terms.name", "peaks.JOINT.jerk"}
+        return result_keys.faults(Page(self.root, "docs/results.md"), keys)
+
     def test_each_key_is_described(self):
-        text = (SOURCE / "docs/results.md").read_text()
-        page = self.root / "docs/results.md"
-        page.write_text(text)
-        self.assertEqual(check_docs.result_key_faults(self.root, BUILD), [])
-        page.write_text(text.replace("`refine.rounds`, ", "", 1))
-        self.assertEqual(len(check_docs.result_key_faults(self.root, BUILD)), 1)
-        page.write_text(text.replace("`refine.rounds`", "`refine.rounds`, `refine.turns`", 1))
-        self.assertEqual(len(check_docs.result_key_faults(self.root, BUILD)), 1)
+        text = ("## result.json\n| `status` | | a |\n| `refine.rounds`, `refine.terms.name` | | b |\n"
+                "| `peaks.JOINT.jerk` | | c |\n")
+        self.assertEqual(self.faults(text), [])
+        self.assertEqual(len(self.faults(text.replace("`refine.rounds`, ", ""))), 1)
+        self.assertEqual(len(self.faults(text.replace("`status`", "`status`, `state`"))), 1)
+
+    def test_keys_of_a_result(self):
+        result = {"a": {"q1": {"x": 1}}, "list": [{"b": 1}, {"c": []}], "none": None}
+        self.assertEqual(result_keys.keys_of(result, "", {"q1"}),
+                         {"a.JOINT.COORDINATE", "list.b", "list.c", "none"})
 
 
 if __name__ == "__main__":

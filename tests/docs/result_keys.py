@@ -54,11 +54,15 @@ def described(page: Page) -> set[str]:
             for key in re.findall(r"`([^`]+)`", row)}
 
 
-def faults(root: pathlib.Path, build: pathlib.Path, folder: pathlib.Path) -> list[str]:
+def keys_of_runs(root: pathlib.Path, build: pathlib.Path, folder: pathlib.Path) -> set[str]:
     clone = Clone(root, build, folder)
     status, printed = clone.run(RUNS)
     if status != 0:
-        return [f"exit status {status} of the runs\n{printed}"]
-    keys, on_page = written(folder / "my"), described(Page(root, PAGE))
+        raise ValueError(f"exit status {status} of the runs\n{printed}")
+    return written(folder / "my")
+
+
+def faults(page: Page, keys: set[str]) -> list[str]:
+    on_page = described(page)
     return [f"{PAGE}: '{key}' is written, and not described" for key in sorted(keys - on_page)] + [
         f"{PAGE}: '{key}' is described, and not written" for key in sorted(on_page - keys)]
