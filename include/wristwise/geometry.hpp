@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "wristwise/pose.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// A cuboid about the origin of its frame.
 struct Box {

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "wristwise/geometry.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// What a mesh stands for, and how closely its pieces follow it.
 struct MeshOptions {

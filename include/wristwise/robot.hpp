@@ -7,8 +7,9 @@
 #include "wristwise/geometry.hpp"
 #include "wristwise/joints.hpp"
 #include "wristwise/pose.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// How a joint moves.
 enum class JointType {

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "wristwise/geometry.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// Something that the robot must keep clear of: a part, a clamp, a table.
 struct SceneObject {

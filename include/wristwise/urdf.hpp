@@ -7,8 +7,9 @@
 
 #include "wristwise/mesh.hpp"
 #include "wristwise/robot.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// Which files describe a robot, and which of its links are the ends of the chain.
 struct RobotSource {

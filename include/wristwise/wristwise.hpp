@@ -54,3 +54,5 @@ namespace wristwise {}
 #include "wristwise/trajectory_file.hpp"
 #include "wristwise/urdf.hpp"
 #include "wristwise/verification.hpp"
+#include "wristwise/version.hpp"
+#include "wristwise/visibility.hpp"
