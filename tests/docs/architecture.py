@@ -48,7 +48,7 @@ class Architecture:
     def _parts_of_folder(self, row: Span) -> None:
         """Of a row `src/<folder>/` the bare names are files in that folder."""
         folder = re.match(r"\| `(src/\w+/)` \|", row.text)
-        for name in re.findall(r"`(\w[\w*]*)`", row.text) if folder else []:
+        for name in re.findall(r"`([a-z][a-z0-9_*]*)`", row.text) if folder else []:
             if not self.tree.has(f"{folder[1]}{name}*"):
                 self._fault(row.line, f"nothing in {folder[1]} is called '{name}'")
 
