@@ -83,8 +83,9 @@ class Checker:
 
     @functools.cached_property
     def _subcommands(self) -> set[str]:
-        listed = self._help("wristwise").split("Subcommands:")
-        return set(SUBCOMMANDS.findall(listed[-1])) if len(listed) == 2 else set()
+        listed = re.search(r"^(Subcommands:|Commands)\n(.*?)(\n\n|\Z)", self._help("wristwise"),
+                           re.MULTILINE | re.DOTALL)
+        return set(SUBCOMMANDS.findall(listed[2])) if listed else set()
 
     def _options(self, subcommand: str) -> set[str]:
         return set(OPTION.findall(self._help("wristwise", subcommand))) | OF_OTHERS
