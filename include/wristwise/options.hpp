@@ -38,7 +38,8 @@ struct CostOptions {
   bool squared_steps = false;    ///< stage 1: the sum of squared joint steps instead of eq. 4
   double singularity_graph = 0;  ///< rad of joint motion at each vertex that is singular; less
                                  ///< where it is farther from that: w (1 - measure)
-  SingularityMeasure singularity_measure = SingularityMeasure::wrist;
+  SingularityMeasure singularity_measure =
+      SingularityMeasure::wrist;  ///< of singularity_graph and of place()
   double singularity_refine = 0;  ///< stage 2: weight of cos^8(wrist) / tau^2 (F32)
   /// Stage 2: weight of |q - preferred|^2 / tau^2; unused where preferred_posture is empty.
   double posture = 1;
@@ -47,6 +48,7 @@ struct CostOptions {
   /// waypoint) in stage 1, rad of joint motion, >= 0, added to the rest. Infinity: not allowed.
   /// Called from several threads.
   std::function<double(std::size_t waypoint, const JointVector& q)> vertex_cost;
+  /// See vertex_cost.
   std::function<double(std::size_t interval, const JointVector& from, const JointVector& to)>
       edge_cost;
   std::vector<PostureResidual> posture_residuals;  ///< stage 2: each adds the integral of r^2 (F14)
@@ -80,7 +82,7 @@ struct GraphOptions {
   int automatic_samples = 0;
   /// Samples again, ever finer, around the best path until the cost settles.
   bool coarse_to_fine = false;
-  Planner planner = Planner::dense;
+  Planner planner = Planner::dense;  ///< which waypoints are planned
   /// rad or m; sparse: how far an interpolated posture may be from the nearest one in tolerance.
   double sparse_deviation = 0.05;
   bool try_relaxations = true;  ///< where there is no path, look for the smallest that would help
@@ -90,14 +92,14 @@ struct GraphOptions {
   /// Paths are distinct where at some waypoint no chain of neighbours joins them: other branches of
   /// the robot, other sides of an obstacle. Whole turns are not counted.
   double seed_separation = 0.5;
-  Turns turns = Turns::all;
+  Turns turns = Turns::all;  ///< whole turns of joints that are taken
   /// m; no edge on which the TCP strays farther than this from the seam half-way between two
   /// waypoints: a joint-space move that swings the torch away from the weld is no way past an
   /// obstacle. Infinity: any.
   double max_stray = 0.02;
   double max_tcp_step = std::numeric_limits<double>::infinity();  ///< m, from waypoint to waypoint
   double max_tcp_turn = std::numeric_limits<double>::infinity();  ///< rad, likewise
-  CollisionChecks collision_checks = CollisionChecks::lazy;
+  CollisionChecks collision_checks = CollisionChecks::lazy;       ///< when clearance is measured
 };
 
 /// Stage 2.
