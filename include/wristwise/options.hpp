@@ -85,6 +85,10 @@ struct GraphOptions {
   /// waypoints: a joint-space move that swings the torch away from the weld is no way past an
   /// obstacle. Infinity: any.
   double max_stray = 0.02;
+  /// False: moves between waypoints are taken as they are, whatever they hit and wherever the TCP
+  /// strays, as the Descartes algorithm does; `max_stray` is unused. To compare with; the
+  /// verification does check them.
+  bool check_moves = true;
   double max_tcp_step = std::numeric_limits<double>::infinity();  ///< m, from waypoint to waypoint
   double max_tcp_turn = std::numeric_limits<double>::infinity();  ///< rad, likewise
   CollisionChecks collision_checks = CollisionChecks::lazy;
