@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array<const char*, 4> kNames = {"position", "velocity", "acceleration", "jerk"};
 constexpr std::size_t kColumns = kNames.size();
-constexpr double kPanelWidth = 240, kPanelHeight = 92, kGap = 14, kBelow = 40, kHeading = 20;
+constexpr double kPanelWidth = 240, kPanelHeight = 92, kGap = 14, kBelow = 28, kHeading = 20;
 constexpr std::array<double, kColumns> kNearLimit = {0.9, 0.4, 0.4, 0.4};  // share, then in view
 constexpr double kRoom = 0.06;        // of the range, above and below the lines
 constexpr double kLeastRange = 1e-6;  // in a panel, in its unit
@@ -64,13 +64,18 @@ PlotRange range_in_view(const std::vector<PlotLine>& lines, const PlotRange& lim
   return {range.from - room, range.to + room};
 }
 
+/// Four digits, or a whole number.
+std::string shown(double limit) {
+  return std::abs(limit) < 1e4 ? fmt::format("{:.4g}", limit) : fmt::format("{:.0f}", limit);
+}
+
 std::string limit_note(const PlotRange& limits, int derivative, const PlotLine& result) {
   if (!std::isfinite(limits.from) || !std::isfinite(limits.to)) return "no limit";
-  if (derivative == 0) return fmt::format("limits {:.4g} to {:.4g}", limits.from, limits.to);
+  if (derivative == 0) return fmt::format("limits {} to {}", shown(limits.from), shown(limits.to));
   const auto range = range_of({result});
-  if (!range) return fmt::format("limit {:.4g}", limits.to);
+  if (!range) return "limit " + shown(limits.to);
   const double peak = std::max(std::abs(range->from), std::abs(range->to));
-  return fmt::format("{} of limit {:.4g}", percent(peak / limits.to), limits.to);
+  return percent(peak / limits.to) + " of limit " + shown(limits.to);
 }
 
 /// A joint in each line, a derivative in each column.
@@ -94,7 +99,7 @@ class ProfilesPicture {
       picture_.text(left(k) + 0.5 * kPanelWidth, top_ + 12, kNames[k], SvgAnchor::middle, 14);
       for (std::size_t j = 0; j < joints_; ++j) draw_joint(j, k);
       picture_.text(left(k) + 0.5 * kPanelWidth,
-                    top_ + kHeading + static_cast<double>(joints_) * line_height() + 30, "time, s",
+                    top_ + kHeading + static_cast<double>(joints_) * line_height() + 18, "time, s",
                     SvgAnchor::middle, plot::kTextSize);
     }
     return picture_.str();

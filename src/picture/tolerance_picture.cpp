@@ -15,7 +15,7 @@ namespace {
 constexpr double kDegree = 0.017453292519943295, kMillimetre = 1e-3, kTurn = 360 * kDegree;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kCoordinates = 6;
-constexpr double kPanelWidth = 430, kPanelHeight = 92, kGap = 16, kBelow = 40, kHeading = 20;
+constexpr double kPanelWidth = 430, kPanelHeight = 92, kGap = 30, kBelow = 24, kHeading = 20;
 constexpr double kRoom = 0.06;         // of the range, above and below the lines
 constexpr double kLeastRange = 1e-3;   // mm or deg
 constexpr double kMostShare = 2.5;     // in view
@@ -149,8 +149,8 @@ class TolerancePicture {
 
   void draw(const PlotPanel& panel, int column, int k, const PlotRange& range) {
     draw_panel(panel, time_axis(motions_.time, left(column), kPanelWidth),
-               {range.from, range.to, frame_top(k) + kPanelHeight, frame_top(k)}, 1,
-               k + 1 == kCoordinates, picture_);
+               {range.from, range.to, frame_top(k) + kPanelHeight, frame_top(k)}, 1, true,
+               picture_);
   }
 
   void draw_deviation(int k) {
