@@ -315,5 +315,22 @@ TEST(JointProfiles, OfManyRowsAreSmallAndKeepTheirPeaks) {
   EXPECT_NEAR(peak->time, result.path.times[61234], 0.02);
 }
 
+TEST(JointProfiles, OfACurveWithManyRowsAreSmallAndRight) {
+  const Problem problem = gantry_problem();
+  std::vector<double> times;
+  for (int i = 0; i < 100000; ++i) times.push_back(kDuration * i / 99999);
+  PlanResult result;
+  result.trajectory = test::swinging(times);
+  result.path = result.trajectory.waypoints();
+  const Plotted plotted(problem, result);
+  for (const std::string& name : plotted.names)
+    EXPECT_LT(plotted.text(name).size(), 100000U) << name;
+  const std::vector<double> some = {0, 0.3, 1.1, 2.2, 3.7, 4};
+  for (int k = 0; k < 3; ++k)
+    EXPECT_LT(
+        largest_error(plotted.read("joints.svg"), k, some, [&](double t) { return swing(t, k); }),
+        kLineError);
+}
+
 }  // namespace
 }  // namespace wristwise

@@ -47,6 +47,18 @@ TEST(PaperFigure8, AllJointsComeRoundAndJoint6TurnsAWholeTurn) {
   }
 }
 
+TEST(PaperFigure10, IsTheShippedProblemWithoutChecksOfMoves) {
+  const Problem problem = problem_of("task_b_unchecked_moves");
+  const Problem shipped =
+      load_problem(std::string(WRISTWISE_SOURCE_DIR) + "/problems/task_b_jump.yaml");
+  EXPECT_FALSE(problem.graph.check_moves);
+  EXPECT_TRUE(shipped.graph.check_moves);
+  EXPECT_EQ(problem.graph.step, shipped.graph.step);
+  ASSERT_EQ(problem.task.waypoints.size(), shipped.task.waypoints.size());
+  for (std::size_t i = 0; i < problem.task.waypoints.size(); ++i)
+    EXPECT_TRUE(problem.task.waypoints[i].frame.isApprox(shipped.task.waypoints[i].frame, 1e-12));
+}
+
 TEST(PaperFigure14, JointMotionAloneDeviatesAllAlongTheCostOfDeviationOnlyAtThePlate) {
   const Problem standard = problem_of("task_b_standard_cost");
   const auto constant = work_angles(standard, plan_graph_only(standard));
