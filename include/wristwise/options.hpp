@@ -71,6 +71,10 @@ struct GraphOptions {
   int automatic_samples = 0;
   /// Samples again, ever finer, around the best path until the cost settles.
   bool coarse_to_fine = false;
+  /// False: moves between waypoints are taken as they are, whatever they hit and wherever the TCP
+  /// strays, as the Descartes algorithm does; `max_stray` is unused. To compare with; the
+  /// verification does check them.
+  bool check_moves = true;
   Planner planner = Planner::dense;
   /// rad or m; sparse: how far an interpolated posture may be from the nearest one in tolerance.
   double sparse_deviation = 0.05;
@@ -86,10 +90,6 @@ struct GraphOptions {
   /// waypoints: a joint-space move that swings the torch away from the weld is no way past an
   /// obstacle. Infinity: any.
   double max_stray = 0.02;
-  /// False: moves between waypoints are taken as they are, whatever they hit and wherever the TCP
-  /// strays, as the Descartes algorithm does; `max_stray` is unused. To compare with; the
-  /// verification does check them.
-  bool check_moves = true;
   double max_tcp_step = std::numeric_limits<double>::infinity();  ///< m, from waypoint to waypoint
   double max_tcp_turn = std::numeric_limits<double>::infinity();  ///< rad, likewise
   CollisionChecks collision_checks = CollisionChecks::lazy;

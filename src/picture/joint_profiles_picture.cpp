@@ -88,9 +88,9 @@ class ProfilesPicture {
         width_(kColumns * (plot::kLeftMargin + kPanelWidth + kGap)),
         top_(heading_height_with_limit()),
         picture_(width_, top_ + kHeading + static_cast<double>(joints_) * line_height() + kBelow) {
-    for (std::size_t i = 0; i < motions.motions.size(); ++i)
+    for (const ShownMotion& motion : motions.motions)
       for (std::size_t k = 0; k < kColumns; ++k)
-        series_[k].push_back(joint_series(motions.motions[i], static_cast<int>(k), kSamples));
+        series_[k].push_back(joint_series(motion, static_cast<int>(k), kSamples));
   }
 
   std::string draw() {

@@ -43,7 +43,7 @@ std::vector<PlotRange> runs_of(const ShownMotion& motion, const PlotRange& time)
 std::vector<std::string> write_motion_pictures(const std::filesystem::path& folder,
                                                const Problem& problem, const PlanResult& result,
                                                const PlanResult* graph_only) {
-  const std::vector<std::string> names = {"joints.svg", "joint_positions.svg", "tolerance.svg"};
+  std::vector<std::string> names = {"joints.svg", "joint_positions.svg", "tolerance.svg"};
   std::error_code ignored;
   for (const std::string& name : names) std::filesystem::remove(folder / name, ignored);
   if (!problem.robot || result.path.size() == 0 || problem.task.waypoints.empty()) return {};
