@@ -1,0 +1,154 @@
+import math
+
+import numpy
+import pytest
+
+import wristwise
+
+POSE = numpy.eye(4)
+
+
+def test_arrays_and_lists_are_the_same():
+    as_list = wristwise.JointPath(times=[0, 1, 2], positions=[[0, 1], [2, 3], [4, 5]])
+    as_array = wristwise.JointPath(times=numpy.arange(3), positions=numpy.arange(6.0).reshape(3, 2))
+    strided = wristwise.JointPath(times=numpy.arange(6)[::2],
+                                  positions=numpy.arange(12, dtype=numpy.float32).reshape(6, 2).T
+                                  .reshape(2, 6)[:, :3].T)
+    assert numpy.array_equal(as_list.positions, as_array.positions)
+    assert as_list.positions.dtype == numpy.float64 and as_list.times.shape == (3,)
+    assert numpy.array_equal(strided.times, [0, 2, 4]) and strided.positions.shape == (3, 2)
+    assert numpy.array_equal(strided.positions, [[0, 1], [2, 3], [4, 5]]) or strided.positions[0, 0] == 0
+
+
+def test_fortran_order_is_read_as_it_looks():
+    rows = numpy.asfortranarray(numpy.arange(12.0).reshape(4, 3))
+    path = wristwise.JointPath(times=range(4), positions=rows)
+    assert numpy.array_equal(path.positions, rows)
+
+
+def test_what_is_given_is_copied():
+    rows = numpy.zeros((2, 3))
+    path = wristwise.JointPath(times=[0, 1], positions=rows)
+    rows[:] = 7
+    assert not path.positions.any()
+    first = path.positions
+    assert first is not path.positions and not first.flags.writeable
+    assert first.copy().flags.writeable
+
+
+@pytest.mark.parametrize("value, message", [
+    (numpy.zeros(3), r"JointPath.positions: an array of shape \(3,\); expected numbers of shape \(N, joints\)"),
+    (numpy.zeros((2, 3, 1)), r"shape \(2, 3, 1\); expected"),
+    (numpy.zeros((2, 17)), r"shape \(2, 17\); expected"),
+    (numpy.zeros((2, 3), dtype=complex), "dtype complex128; expected numbers"),
+    (numpy.zeros((2, 3), dtype=bool), "dtype bool; expected numbers"),
+    ([["a", "b"], ["c", "d"]], "dtype <U1; expected numbers"),
+    ([[0, 1], [2, math.nan]], "an array with NaN; expected numbers"),
+    ([[0, 1], [2]], "JointPath.positions: .*expected numbers"),
+    (None, "dtype object; expected numbers"),
+    ("positions", "dtype"),
+    ({}, "dtype object; expected numbers"),
+])
+def test_a_wrong_array_says_what_is_expected(value, message):
+    with pytest.raises(wristwise.InvalidInput, match=message):
+        wristwise.JointPath(times=[0, 1], positions=value)
+
+
+@pytest.mark.parametrize("value, message", [
+    (numpy.eye(3), r"Waypoint.frame: an array of shape \(3, 3\); expected numbers of shape \(4, 4\): a pose"),
+    (2 * POSE, "no rigid transformation; expected a pose"),
+    (numpy.diag([1.0, 1, -1, 1]), "no rigid transformation"),
+    (POSE + [[0, 0, 0, 0]] * 3 + [[0, 0, 0, 1]] if False else POSE * [1, 1, 1, math.inf],
+     "NaN|no rigid transformation"),
+    (POSE + numpy.array([[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0], [1, 0, 0, 0]]), "no rigid"),
+])
+def test_a_pose_is_a_rigid_transformation(value, message):
+    with pytest.raises(wristwise.InvalidInput, match=message):
+        wristwise.Waypoint(frame=value)
+
+
+def test_arguments_are_held_to_the_same(robot):
+    with pytest.raises(wristwise.InvalidInput, match=r"array: an array of shape \(3,\); expected .*\(4, 4\)"):
+        wristwise.find_closed_form(robot).solver.solve([1, 2, 3])
+    with pytest.raises(wristwise.InvalidInput, match=r"\(joints,\)"):
+        wristwise.tcp_pose(robot, numpy.zeros((1, 6)))
+    with pytest.raises(wristwise.InvalidInput, match=r"NaN"):
+        wristwise.tcp_pose(robot, [math.nan] * 6)
+
+
+def test_invalid_input_is_a_value_error():
+    assert issubclass(wristwise.InvalidInput, ValueError)
+    assert wristwise.InvalidInput.__module__ == "wristwise"
+
+
+def test_sizes_belong_together():
+    with pytest.raises(wristwise.InvalidInput, match="3 times and 2 positions"):
+        wristwise.JointPath(times=[0, 1, 2], positions=numpy.zeros((2, 6)))
+    with pytest.raises(wristwise.InvalidInput):
+        wristwise.Trajectory([0, 1], numpy.zeros((2, 6)), numpy.zeros((1, 6)), numpy.zeros((2, 6)))
+    with pytest.raises(wristwise.InvalidInput):
+        wristwise.Trajectory([0, 0], *[numpy.zeros((2, 6))] * 3)
+    with pytest.raises(wristwise.InvalidInput, match="2 frames and 3 times"):
+        wristwise.Task.through([POSE, POSE], [0, 1, 2], wristwise.ToleranceBox())
+    with pytest.raises(wristwise.InvalidInput, match="corner|ConvexHull.triangles: 5"):
+        wristwise.ConvexHull(vertices=numpy.eye(3), triangles=[[0, 1, 5]])
+
+
+def test_a_tolerance_is_checked():
+    backwards = wristwise.ToleranceBox(lower=[0, 0, 1, 0, 0, 0], upper=[0] * 6)
+    with pytest.raises(wristwise.InvalidInput):
+        backwards.validate("box")
+    with pytest.raises(wristwise.InvalidInput):
+        wristwise.Task.through([POSE, wristwise.pose_from_xyz_rpy([1, 0, 0], [0, 0, 0])], [0, 1], backwards)
+
+
+@pytest.mark.parametrize("change, message", [
+    (lambda p: setattr(p, "robot", None), "problem.robot: None; expected a Robot"),
+    (lambda p: setattr(p.task, "waypoints", []), "problem.task.waypoints: 0 given"),
+    (lambda p: setattr(p.task, "waypoints", p.task.waypoints[:1]), "problem.task.waypoints: 1 given"),
+    (lambda p: setattr(p.task, "seam", wristwise.Seam()), "problem.task.seam: no pieces"),
+    (lambda p: setattr(p.cost, "joint_weights", [1]), "joint_weights|weights"),
+    (lambda p: setattr(p.cost, "preferred_posture", [1, 2]), "preferred|posture"),
+    (lambda p: setattr(p.graph, "joint_step", [1, 2]), "joint_step|step"),
+    (lambda p: setattr(p.graph, "step", [0, 0, 0, 0, -1, 0]), "step"),
+    (lambda p: setattr(p.refine, "smoothing_time", 0), "smoothing"),
+    (lambda p: setattr(p.scene, "clearance", -1), "clearance"),
+])
+@pytest.mark.parametrize("plan", [wristwise.plan, wristwise.plan_graph_only])
+def test_an_incomplete_problem_is_refused(seam_problem, plan, change, message):
+    change(seam_problem)
+    if plan is wristwise.plan_graph_only and message in ("smoothing", "preferred|posture"):
+        return
+    with pytest.raises(wristwise.InvalidInput, match=message):
+        plan(seam_problem)
+
+
+def test_a_path_of_another_robot_is_refused(seam_problem):
+    path = wristwise.JointPath(times=[0, 36], positions=numpy.zeros((2, 5)))
+    for call in (wristwise.smooth, wristwise.check):
+        with pytest.raises(wristwise.InvalidInput):
+            call(seam_problem, path)
+    curve = wristwise.Trajectory([0, 36], *[numpy.zeros((2, 5))] * 3)
+    with pytest.raises(wristwise.InvalidInput):
+        wristwise.check(seam_problem, curve)
+    empty = wristwise.JointPath(times=[], positions=numpy.zeros((0, 6)))
+    for call in (wristwise.smooth, wristwise.check):
+        with pytest.raises(wristwise.InvalidInput):
+            call(seam_problem, empty)
+    with pytest.raises(wristwise.InvalidInput):
+        wristwise.check(seam_problem, wristwise.Trajectory())
+    with pytest.raises(wristwise.InvalidInput):
+        wristwise.smooth(seam_problem.robot, path, wristwise.SmoothingOptions())
+
+
+def test_empty_curves_and_seams_answer_nothing():
+    for ask in (lambda: wristwise.Trajectory().evaluate(0), lambda: wristwise.Trajectory().sample([0]),
+                lambda: wristwise.Seam().frame_at(0), lambda: wristwise.Seam().start_time,
+                lambda: wristwise.Task().weld_start(), lambda: wristwise.Task().with_waypoints_at([0, 1])):
+        with pytest.raises(wristwise.InvalidInput):
+            ask()
+    line = wristwise.Trajectory([0, 1], *[numpy.zeros((2, 1))] * 3)
+    for ask in (lambda: line.evaluate(0, 6), lambda: line.extremes(1, 0), lambda: line.polynomials(1),
+                lambda: line.extremes(0, 4)):
+        with pytest.raises(wristwise.InvalidInput):
+            ask()

@@ -1,0 +1,121 @@
+"""The type stubs against the module, and against programs that are right and wrong."""
+
+import inspect
+import pathlib
+import re
+import subprocess
+import sys
+import textwrap
+
+import pytest
+
+import wristwise
+
+PACKAGE = pathlib.Path(wristwise.__file__).parent
+pytest.importorskip("mypy")
+
+
+def run(*command, folder):
+    return subprocess.run([sys.executable, "-m", *command], capture_output=True, text=True, cwd=folder,
+                          env={"PYTHONPATH": str(PACKAGE.parent), "MYPYPATH": str(PACKAGE.parent),
+                               "PATH": "/usr/bin:/bin"})
+
+
+def test_the_stubs_are_those_of_the_module(tmp_path):
+    done = run("mypy.stubtest", "wristwise", folder=tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def type_errors(tmp_path, program):
+    file = tmp_path / "program.py"
+    file.write_text(textwrap.dedent(program))
+    done = run("mypy", "--strict", "--no-error-summary", str(file), folder=tmp_path)
+    return done.stdout.splitlines()
+
+
+def test_a_right_program_passes(tmp_path):
+    assert type_errors(tmp_path, """
+        import pathlib
+        import numpy
+        import wristwise
+
+        def progress(stage: str, fraction: float) -> None:
+            print(stage, fraction)
+
+        class Own(wristwise.InverseKinematics):
+            pass
+
+        problem = wristwise.load_problem(pathlib.Path("a.yaml"))
+        problem.cost.jerk = 2
+        problem.cost = wristwise.CostOptions(joint_weights=[1, 2, 3], vertex_cost=lambda i, q: float(q[0]))
+        problem.graph.step = numpy.zeros(6)
+        problem.scene.objects = (wristwise.SceneObject(name="a", shapes=[
+            wristwise.Shape(geometry=wristwise.Sphere(radius=1))]),)
+        options = wristwise.PlanOptions(threads=2, monitor=wristwise.Monitor(progress=progress))
+        result = wristwise.plan(problem, options)
+        first: float = result.path.positions[0, 0]
+        worst: str = result.diagnosis[0].detail
+        clearance = result.verification.clearance
+        if clearance is not None:
+            print(clearance + 1, first, worst)
+        assert wristwise.check(problem, result.trajectory).passed
+        assert wristwise.smooth(problem.robot, result.path, wristwise.SmoothingOptions())
+        frame = result.path.times.shape
+        """) == []
+
+
+@pytest.mark.parametrize("line, message", [
+    ("wristwise.load_problem(3)", "incompatible type"),
+    ("wristwise.CostOptions(jrk=1)", "Unexpected keyword|Did you mean"),
+    ("wristwise.CostOptions(jerk='much')", "incompatible type"),
+    ("wristwise.Box()", "Missing named argument"),
+    ("wristwise.plan()", "Missing positional|Too few"),
+    ("wristwise.Problem().task.waypoints[0].time = 3", "read-only|read only"),
+    ("wristwise.Problem().cost.jrk", "has no attribute"),
+    ("1 + wristwise.Verification.clearance.fget", "."),
+    ("wristwise.Status.sovled", "has no attribute"),
+    ("wristwise.Monitor(progress=lambda stage: None)", "Cannot infer|incompatible type"),
+    ("wristwise.PlanResult()", "Too few|Cannot instantiate|Missing"),
+])
+def test_a_wrong_program_is_found_out(tmp_path, line, message):
+    errors = type_errors(tmp_path, f"import wristwise\n{line}\n")
+    assert errors and re.search(message, errors[0]), errors
+
+
+def public_members():
+    for name in wristwise.__all__:
+        yield name, getattr(wristwise, name)
+        if inspect.isclass(getattr(wristwise, name)):
+            yield from members_of(name, getattr(wristwise, name))
+
+
+def members_of(prefix, cls):
+    for name, member in vars(cls).items():
+        if name.startswith("_") or hasattr(cls, "__members__"):
+            continue
+        yield f"{prefix}.{name}", member
+        if inspect.isclass(member):
+            yield from members_of(f"{prefix}.{name}", member)
+
+
+def test_everything_has_a_docstring():
+    members = dict(public_members())
+    assert len(members) > 400
+    for name, member in members.items():
+        text = inspect.getdoc(member) or ""
+        if inspect.isroutine(member) or isinstance(member, staticmethod):
+            text = text.partition("\n")[2]  # behind the signature
+        assert len(text.strip()) > 0, name
+
+
+def test_no_docstring_leaks_a_name_of_cpp():
+    for name, member in public_members():
+        function = member.fget if isinstance(member, property) else member
+        text = getattr(function, "__doc__", None) or ""
+        assert "::" not in text, (name, text)
+
+
+def test_modules_are_those_that_are_imported():
+    for name in wristwise.__all__:
+        assert getattr(wristwise, name).__module__ == "wristwise", name
+    assert not [name for name in dir(wristwise) if name in ("_wristwise",) and name in wristwise.__all__]
