@@ -7,6 +7,7 @@
 #include "cancelled.hpp"
 #include "graph/graph_planner.hpp"
 #include "parallel.hpp"
+#include "problem_check.hpp"
 #include "refine/seed_refinement.hpp"
 #include "refine/spare_seeds.hpp"
 #include "smoothing/whole_turns.hpp"
@@ -44,6 +45,7 @@ class Pipeline {
   }
 
   PlanResult plan() {
+    check_problem(problem_);
     return run([this] {
       prepare();
       if (!find_seeds(problem_.task)) return;
@@ -60,6 +62,7 @@ class Pipeline {
   }
 
   PlanResult smooth(const JointPath& path) {
+    check_problem(problem_);
     validate(path, problem_.robot->joint_count(), "joint path");
     return run([&] {
       prepare();
@@ -272,6 +275,7 @@ class Pipeline {
 template <class Motion>
 Verification check_along(const Problem& problem, const Task& task, const Motion& motion,
                          const PlanOptions& options) {
+  check_task(problem);
   return verify(task, std::make_shared<const ClearanceModel>(problem.robot, problem.scene), motion,
                 verification_options(problem, options));
 }

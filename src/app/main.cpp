@@ -9,6 +9,7 @@
 #include "app/interrupt.hpp"
 #include "similar_names.hpp"
 #include "wristwise/error.hpp"
+#include "wristwise/version.hpp"
 
 namespace wristwise::app {
 
@@ -33,6 +34,7 @@ class CommandLine {
   CommandLine() {
     program_.require_subcommand(1);
     program_.fallthrough();
+    program_.set_version_flag("--version", std::string("wristwise ") + library_version());
     program_.add_flag("--quiet", settings_.quiet, "No progress and no log lines");
     program_.add_option("--threads", settings_.threads, "Threads; 0, the default: one per core")
         ->check(CLI::Range(0, kMostThreads));

@@ -113,7 +113,6 @@ void bind_placement(py::module_& module) {
   module.def(
       "place",
       [](const PlacementRequest& request, const PythonPlanOptions& options) {
-        expect_complete(request.problem);
         PlannerRun run(options);
         PlacementRequest copy = request;
         copy.problem = run.guarded(request.problem);

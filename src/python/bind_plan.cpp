@@ -34,7 +34,6 @@ using PlanFunction = PlanResult (*)(const Problem&, const PlanOptions&);
 
 auto planning(PlanFunction function) {
   return [function](const Problem& problem, const PythonPlanOptions& options) {
-    expect_complete(problem);
     PlannerRun run(options);
     const Problem guarded = run.guarded(problem);
     return run([&] { return function(guarded, run.options()); });
@@ -43,7 +42,6 @@ auto planning(PlanFunction function) {
 
 PlanResult smoothed(const Problem& problem, const JointPath& path,
                     const PythonPlanOptions& options) {
-  expect_complete(problem);
   PlannerRun run(options);
   const Problem guarded = run.guarded(problem);
   return run([&] { return smooth(guarded, path, run.options()); });
@@ -54,7 +52,6 @@ void def_check(py::module_& module, const char* motion_name, const char* doc) {
   module.def(
       "check",
       [](const Problem& problem, const Motion& motion, const PythonPlanOptions& options) {
-        expect_complete(problem);
         PlannerRun run(options);
         const Problem copy = problem;
         return run([&] { return check(copy, motion, run.options()); });
@@ -63,15 +60,6 @@ void def_check(py::module_& module, const char* motion_name, const char* doc) {
 }
 
 }  // namespace
-
-void expect_complete(const Problem& problem) {
-  if (!problem.robot) throw InvalidInput("problem.robot", "None", "a Robot");
-  if (problem.task.waypoints.size() < 2)
-    throw InvalidInput("problem.task.waypoints",
-                       std::to_string(problem.task.waypoints.size()) + " given", "at least two");
-  if (problem.task.seam.pieces().empty())
-    throw InvalidInput("problem.task.seam", "no pieces", "at least one");
-}
 
 void bind_plan(py::module_& module) {
   bind_monitor(module);

@@ -37,8 +37,8 @@ void expect_joints(const Robot& robot, const JointVector& q);
 /// @throws InvalidInput unless 0 <= index < count; `where` names it
 void expect_index(const char* where, long long index, std::size_t count);
 
-/// @throws InvalidInput for a problem without a robot, waypoints or a seam
-void expect_complete(const Problem& problem);
+/// @throws InvalidInput for a problem without a robot
+void expect_robot(const Problem& problem);
 
 /// As C++ shares it. @throws InvalidInput for null
 template <class T>

@@ -30,7 +30,7 @@ _StrPath = Union[str, "os.PathLike[str]"]
 ARGUMENT, RESULT = 0, 1
 TYPES = [
     (r"IntArray\[[^\]]*\]", "ArrayLike", "NDArray[numpy.intc]"),
-    (r"Array\[[^\]]*\]", "ArrayLike", "NDArray[numpy.float64]"),
+    (r"\bArray\[[^\]]*\]", "ArrayLike", "NDArray[numpy.float64]"),
     (r"\bPath\b", "Optional[_StrPath]", "Optional[pathlib.Path]"),
     (r"\bTuple\[(.*), \.\.\.\]", r"Sequence[\1]", r"Tuple[\1, ...]"),
     (r"wristwise\.", "", ""),

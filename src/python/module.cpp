@@ -32,6 +32,10 @@ void expect_joints(const Robot& robot, const JointVector& q) {
                        std::to_string(robot.joint_count()) + ", one for each joint");
 }
 
+void expect_robot(const Problem& problem) {
+  if (!problem.robot) throw InvalidInput("problem.robot", "None", "a Robot");
+}
+
 void expect_index(const char* where, long long index, std::size_t count) {
   if (index < 0 || static_cast<unsigned long long>(index) >= count)
     throw InvalidInput(where, std::to_string(index), "0 to less than " + std::to_string(count));
