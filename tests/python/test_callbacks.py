@@ -122,7 +122,6 @@ class OwnKinematics(wristwise.InverseKinematics):
 
 
 def test_own_inverse_kinematics_plans_the_same(load):
-    problem = load("planar_3r")
     problem = load("task_b_l_profile")
     expected = wristwise.plan(problem, options(1))
     own = OwnKinematics(problem.robot)

@@ -37,7 +37,7 @@ def test_the_jacobian_is_that_of_numeric_differences(robot, random):
 
 def test_every_solution_reaches_the_pose(robot, random):
     found = wristwise.find_closed_form(robot)
-    assert "axes 2, 3" in found.description or found.description
+    assert "wrist" in found.description
     for q in postures(robot, random, 20):
         pose = wristwise.tcp_pose(robot, q)
         branches = found.solver.solve(pose)
@@ -86,7 +86,8 @@ def test_a_clearance_is_that_of_two_spheres():
     slider = wristwise.Robot(wristwise.Robot.Parts(
         name="slider", base_link="base", tip_link="tip",
         joints=[wristwise.Joint(name="x", type=wristwise.JointType.prismatic, axis=[1, 0, 0],
-                                lower=-1, upper=1, max_velocity=1)],
+                                lower=-1, upper=1, max_velocity=1, max_acceleration=1,
+                                max_jerk=1)],
         links=[wristwise.Link(name="ball", joint=0, collision=[ball])]))
     scene = wristwise.Scene(objects=[wristwise.SceneObject(
         name="post", shapes=[ball.replace(pose=wristwise.pose_from_xyz_rpy([0, 0.5, 0], [0] * 3))])])

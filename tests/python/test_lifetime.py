@@ -101,11 +101,11 @@ def test_a_loop_of_plans_leaks_nothing(load):
         result.path.positions, result.graph, result.seeds
         wristwise.load_problem(problem.files[0])
 
-    for _ in range(5):
+    for _ in range(3):
         once()
     gc.collect()
     count, objects, before = sys.getrefcount(marker), len(gc.get_objects()), resident_bytes()
-    for _ in range(30):
+    for _ in range(12):
         once()
     gc.collect()
     assert sys.getrefcount(marker) == count
