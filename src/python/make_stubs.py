@@ -14,15 +14,18 @@ import sys
 import wristwise
 
 HEADER = '''# Made by make_stubs.py from the module.
+import inspect
 import os
 import pathlib
 import threading
-from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence, Tuple, Union, overload
+from typing import Callable, ClassVar, Mapping, NoReturn, Optional, Sequence, Tuple, Union, overload
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
-_StrPath = Union[str, "os.PathLike[str]"]
+_StrPath = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
+
+class _Class(type): ...
 
 '''
 
@@ -125,9 +128,12 @@ def keywords(cls, optional):
 
 
 def constructor_stub(cls, indent):
+    if not (cls.__init__.__doc__ or "").startswith("__init__("):
+        return f"{indent}def __init__(self, *args: NoReturn, **kwargs: NoReturn) -> None: ...\n"
     if not hasattr(cls, "__signature__"):
         return function_stub("__init__", cls.__init__, indent)
-    return (f"{indent}def __init__({keywords(cls, False)}) -> None: ...\n"
+    return (f"{indent}__signature__: ClassVar[inspect.Signature]\n"
+            f"{indent}def __init__({keywords(cls, False)}) -> None: ...\n"
             f"{indent}def replace({keywords(cls, True)}) -> {cls.__qualname__}:\n"
             + docstring(cls.replace.__doc__.partition("\n")[2], indent + "    ")
             + f"{indent}    ...\n")
@@ -148,18 +154,23 @@ def is_stubbed_method(name, member):
     return callable(member) and (not name.startswith("_") or name == "__len__")
 
 
-def class_stub(cls, indent=""):
+def bases(cls):
     base = cls.__mro__[1]
-    bases = f"({base.__qualname__})" if base.__module__ == "wristwise" or issubclass(cls, ValueError) else ""
+    if base.__module__ == "wristwise" or issubclass(cls, Exception):
+        return base.__qualname__
+    return "metaclass=_Class"
+
+
+def class_stub(cls, indent=""):
     inner = indent + "    "
-    text = f"{indent}class {cls.__name__}{bases}:\n" + docstring(class_doc(cls), inner)
+    text = f"{indent}class {cls.__name__}({bases(cls)}):\n" + docstring(class_doc(cls), inner)
     if hasattr(cls, "__members__"):
         return text + enum_stub(cls, inner) + "\n"
     members = vars(cls)
     for member in members.values():
         if inspect.isclass(member):
             text += class_stub(member, inner)
-    if "__init__" in members and is_constructible(cls):
+    if not issubclass(cls, Exception):
         text += constructor_stub(cls, inner)
     for name, member in members.items():
         if isinstance(member, property):
@@ -173,10 +184,6 @@ def class_stub(cls, indent=""):
 
 def class_doc(cls):
     return (cls.__doc__ or "").partition("\n\nMembers:")[0]
-
-
-def is_constructible(cls):
-    return hasattr(cls, "__signature__") or "__init__(self" in (cls.__init__.__doc__ or "")
 
 
 def main():
