@@ -15,7 +15,7 @@ std::string shape_text(const py::array& array) { return py::str(array.attr("shap
 }
 
 py::array array_of(py::handle source, const char* expected) {
-  const py::array array = py::array::ensure(source);
+  py::array array = py::array::ensure(source);
   if (!array) {
     PyErr_Clear();
     fail("no array of numbers: " + py::repr(py::type::of(source)).cast<std::string>(), expected);

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "bindings.hpp"
 #include "wristwise/error.hpp"
 
@@ -17,7 +19,7 @@ constexpr const char* kInvalidInputDoc =
 
 void translate_bad_array(std::exception_ptr thrown) {
   try {
-    if (thrown) std::rethrow_exception(thrown);
+    if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const BadArray& bad) {
     const py::object type = py::module_::import("wristwise._wristwise").attr("InvalidInput");
     PyErr_SetString(type.ptr(), InvalidInput("array", bad.problem, bad.expected).what());

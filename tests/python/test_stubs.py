@@ -1,8 +1,10 @@
 """The type stubs against the module, and against programs that are right and wrong."""
 
+import ast
 import inspect
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import textwrap
@@ -15,15 +17,50 @@ PACKAGE = pathlib.Path(wristwise.__file__).parent
 pytest.importorskip("mypy")
 
 
-def run(*command, folder):
+def run(*command, folder, package=PACKAGE.parent):
     return subprocess.run([sys.executable, "-m", *command], capture_output=True, text=True, cwd=folder,
-                          env={"PYTHONPATH": str(PACKAGE.parent), "MYPYPATH": str(PACKAGE.parent),
+                          env={"PYTHONPATH": str(package), "MYPYPATH": str(package),
                                "PATH": "/usr/bin:/bin"})
 
 
 def test_the_stubs_are_those_of_the_module(tmp_path):
     done = run("mypy.stubtest", "wristwise", folder=tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("fault", [
+    ("def tcp_pose(", "def tcp_place("), ("    def widened(", "    def winded("),
+])
+def test_planted_faults_are_found(tmp_path, fault):
+    """A copy of the package whose stubs lack a name."""
+    copy = tmp_path / "wristwise"
+    shutil.copytree(PACKAGE, copy)
+    stubs = (copy / "__init__.pyi").read_text()
+    assert fault[0] in stubs
+    (copy / "__init__.pyi").write_text(stubs.replace(*fault))
+    done = run("mypy.stubtest", "wristwise", folder=tmp_path, package=tmp_path)
+    assert done.returncode == 1 and "is not present" in done.stdout, done.stdout + done.stderr
+
+
+def test_the_stubs_have_the_parameters_of_the_module():
+    """What stubtest cannot see of compiled functions: names, order and defaults."""
+    tree = ast.parse((PACKAGE / "__init__.pyi").read_text())
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    checked = 0
+    for node in functions:
+        own = [f"{argument.arg}" for argument in node.args.args]
+        signatures = re.findall(rf"^(?:\d+\. )?{node.name}\((.*)\) -> ", getattr(wristwise, node.name).__doc__,
+                                re.MULTILINE)
+        of_module = [re.findall(r"(\w+): ", re.sub(r"\[[^\]]*\]|<[^>]*>", "", text)) for text in signatures]
+        assert own in of_module, node.name
+        checked += 1
+    assert checked > 40
+    classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    for name, node in classes.items():
+        for method in node.body:
+            signature = getattr(getattr(wristwise, name, None), "__signature__", None)
+            if signature and isinstance(method, ast.FunctionDef) and method.name == "__init__":
+                assert [one.arg for one in method.args.kwonlyargs] == list(signature.parameters), name
 
 
 def type_errors(tmp_path, program):
