@@ -106,11 +106,7 @@ Problem PlannerRun::guarded(const Problem& problem) {
 void PlannerRun::run(const std::function<void()>& work) {
   look_for_signals();
   std::thread worker([&] {
-    try {
-      work();
-    } catch (...) {
-      fail(std::current_exception());
-    }
+    work_unlocked(work);
     const std::lock_guard<std::mutex> lock(mutex_);
     done_ = true;
     changed_.notify_all();
@@ -118,6 +114,17 @@ void PlannerRun::run(const std::function<void()>& work) {
   while (serve()) look_for_signals();
   worker.join();
   if (failure_) std::rethrow_exception(failure_);
+}
+
+void PlannerRun::work_unlocked(const std::function<void()>& work) {
+  // Python's state of this thread is made once, and not for each callback.
+  const py::gil_scoped_acquire state;
+  const py::gil_scoped_release unlocked;
+  try {
+    work();
+  } catch (...) {
+    fail(std::current_exception());
+  }
 }
 
 bool PlannerRun::serve() {

@@ -47,6 +47,7 @@ class PlannerRun {
 
  private:
   void run(const std::function<void()>& work);
+  void work_unlocked(const std::function<void()>& work);
   void fail(std::exception_ptr failure);
   /// From the worker: has the calling thread do this, and waits for it.
   void in_calling_thread(const std::function<void()>& callback);
