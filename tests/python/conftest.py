@@ -37,6 +37,17 @@ def seam_problem(load):
 
 
 @pytest.fixture
+def unreachable_problem(seam_problem):
+    """The same, 1 m away."""
+    waypoints = seam_problem.task.waypoints
+    frames = numpy.array([waypoint.frame for waypoint in waypoints])
+    frames[:, 0, 3] += 1
+    seam_problem.task = wristwise.Task.through(frames, [waypoint.time for waypoint in waypoints],
+                                               waypoints[0].tolerance)
+    return seam_problem
+
+
+@pytest.fixture
 def long_problem(load):
     """Takes seconds to plan."""
     return load("task_b_jump")

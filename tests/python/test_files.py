@@ -84,17 +84,20 @@ def test_programs_are_written_and_read_back(seam_problem, tmp_path):
     program = wristwise.robot_program(result, seam_problem)
     assert len(program.points) == 50 and program.points[1].welding
     assert wristwise.krl_text(program, seam_problem).startswith("&ACCESS")
-    nothing = wristwise.write_program(wristwise.ProgramFormat.krl, tmp_path,
-                                      infeasible(seam_problem), seam_problem)
-    assert nothing is None
 
 
-def infeasible(problem):
-    problem.scene.clearance = 0.08
-    problem.graph.try_relaxations = False
-    result = wristwise.plan_graph_only(problem)
-    problem.scene.clearance = 0.003
-    return result
+def test_nothing_is_written_of_what_is_not_solved(unreachable_problem, tmp_path):
+    result = wristwise.plan_graph_only(unreachable_problem)
+    assert wristwise.write_program(wristwise.ProgramFormat.krl, tmp_path, result,
+                                   unreachable_problem) is None
+    assert not list(tmp_path.iterdir())
+    with pytest.raises(wristwise.InvalidInput):
+        wristwise.robot_program(result, unreachable_problem)
+    with pytest.raises(wristwise.InvalidInput, match="problem.robot: None"):
+        wristwise.robot_program(result, wristwise.Problem())
+    with pytest.raises(wristwise.InvalidInput, match="joint_names: 1; expected 6"):
+        wristwise.write_path(tmp_path / "a.csv", ["one"],
+                             wristwise.JointPath(times=[0, 1], positions=numpy.zeros((2, 6))))
 
 
 def test_a_placement_is_found(load, source):

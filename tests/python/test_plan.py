@@ -99,13 +99,13 @@ def test_the_check_passes_what_is_good_and_fails_what_is_not(seam_problem):
     assert failed.position_error == pytest.approx(1e-3 * radius, rel=0.2)
 
 
-def test_no_solution_is_a_result(seam_problem):
-    seam_problem.scene.clearance = 0.08
-    seam_problem.graph.try_relaxations = False
-    result = wristwise.plan(seam_problem)
+def test_no_solution_is_a_result(unreachable_problem):
+    result = wristwise.plan(unreachable_problem)
     assert result.status == wristwise.Status.infeasible
-    assert result.diagnosis[0].waypoint is not None
-    assert result.diagnosis[0].detail
+    assert len(result.path) == 0 and not result.verification.run
+    diagnosis = result.diagnosis[0]
+    assert (diagnosis.waypoint, diagnosis.reason) == (0, "out_of_reach")
+    assert diagnosis.counts.out_of_reach == diagnosis.counts.samples == 9 * 36
 
 
 def seam_from_numpy(robot, plate=None):
