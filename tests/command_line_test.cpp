@@ -115,11 +115,20 @@ TEST_F(CommandLine, JointWithoutLimits) {
 
 TEST_F(CommandLine, MistakesInTheArgumentsAreInvalidInput) {
   write(kProblem);
-  expect_invalid({}, {"subcommand"});
+  expect_invalid({}, {"command", "wristwise --help"});
   expect_invalid({"plna", "p.yaml"}, {"'plna'", "'plan'"});
   expect_invalid({"plan"}, {"PROBLEM"});
   expect_invalid({"plan", "none.yaml"}, {"none.yaml", "no such file"});
-  expect_invalid({"plan", "p.yaml", "--mod", "graph-only"}, {"--mod"});
+  expect_invalid({"plan", "p.yaml", "--mod", "graph-only"}, {"'--mod'", "'--mode'"});
+  expect_invalid({"--quiet", "plan", "p.yaml", "--treads=2"}, {"'--treads'", "'--threads'"});
+  expect_invalid({"plan", "p.yaml", "--json"}, {"'--json'", "wristwise plan --help"});
+  expect_invalid({"--colour", "never"}, {"'--colour'", "'--color'"});
+  expect_invalid({"plan", "p.yaml", "q.yaml"}, {"q.yaml", "wristwise plan --help"});
+  expect_invalid({"plan", "p.yml"}, {"p.yml", "no such file"});
+  expect_invalid({"plan", "q.yaml"}, {"q.yaml", "no such file", "'p.yaml'"});
+  expect_invalid({"plan", "."}, {"is a folder", "p.yaml"});
+  expect_invalid({"check", "p.yaml", "."}, {"is a folder", "a trajectory"});
+  expect_invalid({"plan", "p.yaml", "--export", "krll"}, {"'krll'", "'krl'"});
   expect_invalid({"plan", "p.yaml", "--mode", "fast"}, {"--mode", "fast"});
   expect_invalid({"plan", "p.yaml", "--threads", "-1"}, {"--threads"});
   expect_invalid({"plan", "p.yaml", "--out", "p.yaml/deep"}, {"--out", "p.yaml"});
@@ -140,7 +149,7 @@ TEST_F(CommandLine, TrajectoriesThatDoNotFitAreInvalidInput) {
 }
 
 TEST_F(CommandLine, HelpIsNoError) {
-  for (const char* command : {"plan", "smooth", "check", "compare", "info"}) {
+  for (const char* command : {"new", "plan", "smooth", "check", "compare", "place", "info"}) {
     const ProgramRun outcome = run({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
