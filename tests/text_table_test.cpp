@@ -121,7 +121,7 @@ TEST(Wrapped, TheRestOfATablesCellStandsBelowIt) {
 }
 
 TEST(Wrapped, AWordThatIsTooLongStaysWhole) {
-  EXPECT_EQ(wrapped(std::string(50, 'x') + " y\n", 20), std::string(50, 'x') + "\n    y\n");
+  EXPECT_EQ(wrapped(std::string(50, 'x') + " y\n", 30), std::string(50, 'x') + "\n    y\n");
 }
 
 }  // namespace

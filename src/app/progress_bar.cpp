@@ -44,7 +44,9 @@ void ProgressBar::show(const std::string& stage, double fraction) {
     stage_ = stage;
     stage_start_ = Clock::now();
     fraction_ = 0;
+    reports_ = 0;
   }
+  ++reports_;
   fraction_ = std::max(fraction_, done);
 }
 
@@ -64,8 +66,14 @@ void ProgressBar::draw_until_ended() {
 
 void ProgressBar::draw() {
   const Clock::time_point now = Clock::now();
-  Progress progress{stage_, fraction_, seconds(now - start_), seconds(now - stage_start_)};
-  if (interrupted()) progress = {"stopping; Ctrl-C again ends at once", 0, progress.elapsed, 0};
+  Progress progress{stage_, true, fraction_, seconds(now - start_), seconds(now - stage_start_)};
+  const bool is_refinement = stage_.rfind("refine", 0) == 0;  // it reports once a round
+  if (is_refinement) progress.stage += fmt::format(" round {}", reports_);
+  progress.even = !is_refinement && stage_ != "search";
+  if (interrupted()) {
+    progress.stage = "stopping; Ctrl-C again ends at once";
+    progress.fraction = 0;
+  }
   std::string line = progress_line(progress, terminal_width(STDERR_FILENO) - 1);
   if (line == line_) return;
   clear_line_when_ended(true);

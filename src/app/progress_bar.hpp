@@ -38,6 +38,7 @@ class ProgressBar {
   bool ended_ = false;
   std::string stage_ = "read";
   double fraction_ = 0;
+  int reports_ = 0;  // of the stage
   Clock::time_point start_ = Clock::now(), stage_start_ = start_;
   std::string line_;  // on the screen
   std::thread drawer_;

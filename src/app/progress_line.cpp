@@ -22,7 +22,8 @@ std::string clock_text(double seconds) {
 }
 
 std::string left_text(const Progress& progress) {
-  if (progress.stage_elapsed < kTellAfter || progress.fraction < kTellFrom) return {};
+  if (!progress.even || progress.stage_elapsed < kTellAfter || progress.fraction < kTellFrom)
+    return {};
   const double left = progress.stage_elapsed * (1 - progress.fraction) / progress.fraction;
   return ", about " + clock_text(std::ceil(left)) + " left";
 }

@@ -1,9 +1,11 @@
-# Tab completion for wristwise, in bash; in zsh after `autoload -U +X bashcompinit && bashcompinit`.
+# Tab completion for wristwise, in bash.
 # Installed to share/bash-completion/completions/wristwise, where bash-completion finds it; else:
 #   source wristwise.bash
 
 _wristwise_commands="new plan smooth check compare place info help"
 _wristwise_options="--help --quiet --threads --no-cache --color"
+
+_wristwise_without_value="-h --help --quiet --no-cache --force --no-self-collision --no-report --json"
 
 # Options of a command beside those of every command.
 _wristwise_options_of() {
@@ -52,7 +54,11 @@ _wristwise_list() {
   compopt -o nospace 2>/dev/null
 }
 
-# The value of an option; fails where the option takes none.
+_wristwise_takes_value() {
+  [[ $1 == -* && " $_wristwise_without_value " != *" $1 "* ]]
+}
+
+# The value of an option: _wristwise_value OPTION WORD
 _wristwise_value() {
   local word=$2
   case $1 in
@@ -66,8 +72,6 @@ _wristwise_value() {
     --limits) _wristwise_files "$word" yaml ;;
     --srdf) _wristwise_files "$word" srdf ;;
     --out | --package) _wristwise_files "$word" ;;
-    --threads | --base | --part | --tip | --group | --keep | --smoothing-time) ;;
-    *) return 1 ;;
   esac
 }
 
@@ -85,21 +89,20 @@ _wristwise() {
   local word=${COMP_WORDS[COMP_CWORD]} command= i arguments=0 path
   COMPREPLY=()
   for ((i = 1; i < COMP_CWORD; i++)); do
-    if [[ ${COMP_WORDS[i]} == -* ]]; then
-      _wristwise_value "${COMP_WORDS[i]}" "" 2>/dev/null && ((i++))
+    if _wristwise_takes_value "${COMP_WORDS[i]}"; then
+      ((i++))
+    elif [[ ${COMP_WORDS[i]} == -* ]]; then
+      continue
     elif [[ -z $command ]]; then
       command=${COMP_WORDS[i]}
     else
       ((arguments++))
     fi
   done
-  COMPREPLY=()
   local before=${COMP_WORDS[COMP_CWORD - 1]}
-  if [[ $before == -* ]] && _wristwise_value "$before" "$word"; then
-    return
-  fi
-  COMPREPLY=()
-  if [[ $word == -* ]]; then
+  if _wristwise_takes_value "$before"; then
+    _wristwise_value "$before" "$word"
+  elif [[ $word == -* ]]; then
     _wristwise_words "$word" $_wristwise_options $(_wristwise_options_of "$command")
   elif [[ -z $command ]]; then
     _wristwise_words "$word" $_wristwise_commands

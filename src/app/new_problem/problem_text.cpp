@@ -121,8 +121,8 @@ std::string segments(const NewProblem& problem) {
         "        from: {{xyz: {}, {}}}\n"
         "        center: [0, 0, 0]\n"
         "        axis: [0, 0, -1]   # right-handed\n"
-        "        angle: 180 deg",
-        list_text({-arc_radius(place), 0, 0}), rpy);
+        "        angle: {:.4g} deg",
+        list_text({-arc_radius(place), 0, 0}), rpy, place.angle * 180 / kPi);
   const Eigen::Vector3d half = 0.5 * place.length * Eigen::Vector3d::Unit(place.axis);
   return fmt::format(
       "    - line:\n"

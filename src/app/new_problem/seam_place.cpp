@@ -93,17 +93,29 @@ std::vector<SeamPlace> places_on_part(double length) {
   return places;
 }
 
+SeamPlace place_of_posture(const Pose& tcp, double length) {
+  SeamPlace place;
+  place.frame = tcp;
+  place.torch_down = false;
+  place.length = length;
+  return place;
+}
+
+/// Lines through the TCP, and arcs from there.
 std::vector<SeamPlace> places_of_postures(const Robot& robot, SeamShape shape, double length) {
   std::vector<SeamPlace> places;
   for (const JointVector& q : spread_postures(robot, kOwnPostures, 0.5)) {
-    for (const int axis : {1, 0, 2}) {
-      SeamPlace place;
-      place.frame = tcp_pose(robot, q);
-      place.torch_down = false;
-      place.axis = axis;
-      place.length = length;
+    SeamPlace place = place_of_posture(tcp_pose(robot, q), length);
+    if (shape == SeamShape::line) {
+      for (place.axis = 1; place.axis >= 0; --place.axis) places.push_back(place);
+      place.axis = 2;
       places.push_back(place);
-      if (shape == SeamShape::arc) break;
+      continue;
+    }
+    for (const double angle : {kPi, kPi / 3}) {
+      place.angle = angle;
+      place.frame = tcp_pose(robot, q) * Eigen::Translation3d(arc_radius(place), 0, 0);
+      places.push_back(place);
     }
   }
   return places;
@@ -163,7 +175,7 @@ class SeamReach {
 
 }  // namespace
 
-double arc_radius(const SeamPlace& place) { return rounded(place.length / kPi, 1e-3); }
+double arc_radius(const SeamPlace& place) { return rounded(place.length / place.angle, 1e-3); }
 
 SeamPiece seam_piece(const SeamPlace& place, SeamShape shape) {
   const Pose torch = pose_from_xyz_rpy({0, 0, 0}, {0, place.torch_down ? kPi : 0, 0});
@@ -182,7 +194,7 @@ SeamPiece seam_piece(const SeamPlace& place, SeamShape shape) {
   piece.from = frame_at({-arc_radius(place), 0, 0});
   piece.center = place.frame.translation();
   piece.axis = -place.frame.linear().col(2);
-  piece.angle = kPi;
+  piece.angle = place.angle;
   piece.to = Eigen::Translation3d(piece.center) * Eigen::AngleAxisd(piece.angle, piece.axis) *
              Eigen::Translation3d(-piece.center) * piece.from;
   return piece;

@@ -12,14 +12,15 @@ enum class SeamShape { line, arc };
 
 /// A seam to start from: where it is, and how the torch stands on it.
 struct SeamPlace {
-  Pose frame = Pose::Identity();  ///< of the seam's middle, in the part's link
-  bool torch_down = true;         ///< against the frame's z axis; else along it
-  int axis = 1;                   ///< of the frame, along which a line runs: 0 x, 1 y, 2 z
-  double length = 0;              ///< m
-  JointVector posture;            ///< at its start
+  Pose frame = Pose::Identity();          ///< of the seam's middle, in the part's link
+  bool torch_down = true;                 ///< against the frame's z axis; else along it
+  int axis = 1;                           ///< of the frame, along which a line runs: 0 x, 1 y, 2 z
+  double length = 0;                      ///< m
+  double angle = 3.14159265358979323846;  ///< rad, that an arc turns by
+  JointVector posture;                    ///< at its start
 };
 
-/// An arc turns by half a turn, clockwise about the frame's z axis, from -x to x.
+/// m. An arc turns clockwise about the frame's z axis, from its -x axis.
 double arc_radius(const SeamPlace& place);
 
 /// The seam in the part's link, in a time of 1 s.
