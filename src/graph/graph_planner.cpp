@@ -22,8 +22,8 @@ constexpr double kTurn = 6.28318530717958647692;
 constexpr double kAnySpeed = 1e4;                 // times the time: no joint is too slow for a move
 constexpr std::size_t kChecksAtAnySpeed = 10000;  // of moves
 
-/// Searches are repeated, nobody knows how often. What they report as progress must not go back,
-/// and must not stand at its end: each pass takes half of the way that was left before it.
+/// Searches are repeated, nobody knows how often. What they report as progress must not go back, nor
+/// stand at its end: the first pass takes half of the way, each other one a share of what is left.
 class SearchProgress {
  public:
   double operator()(double fraction) {
