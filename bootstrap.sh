@@ -9,11 +9,10 @@ packages=(build-essential cmake ninja-build libeigen3-dev libceres-dev libfcl-de
   liburdfdom-dev libtinyxml-dev libassimp-dev libqhull-dev libyaml-cpp-dev nlohmann-json3-dev
   libcli11-dev libfmt-dev libnlopt-cxx-dev zlib1g-dev)
 with_tests=OFF
-targets=(wristwise_app)
 if [ "${1:-}" = tests ]; then
-  packages+=(libgtest-dev libbullet-dev libbenchmark-dev chromium chromium-driver python3-selenium)
+  packages+=(libgtest-dev libbullet-dev libbenchmark-dev chromium chromium-driver python3-selenium
+    pkg-config lintian)
   with_tests=ON
-  targets=(all)
 fi
 
 if ! dpkg-query -W -f '${Status}\n' "${packages[@]}" 2>/dev/null | grep -vq 'install ok installed' &&
@@ -28,4 +27,4 @@ else
 fi
 
 cmake -S . -B build -G Ninja -DWRISTWISE_BUILD_TESTS=$with_tests
-cmake --build build --target "${targets[@]}"
+cmake --build build

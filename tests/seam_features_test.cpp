@@ -67,5 +67,22 @@ TEST(SeamFeatures, AStraightSeamHasNone) {
   EXPECT_TRUE(seam_features(task, 0.1).empty());
 }
 
+/// As a recorded path draws it: a second difference of a line 10 us long is all round-off.
+TEST(SeamFeatures, ManyShortLinesHaveNone) {
+  std::vector<SeamPiece> pieces(1000);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto at = [](std::size_t k) { return 1e-6 * static_cast<double>(k); };
+    pieces[i].from = turned_at(1 + at(i), 0.5, 0.2);
+    pieces[i].to = turned_at(1 + at(i + 1), 0.5, 0.2);
+    pieces[i].start_time = 10 * at(i);
+    pieces[i].end_time = 10 * at(i + 1);
+  }
+  Task task;
+  task.waypoints.resize(2);
+  task.waypoints.back().time = pieces.back().end_time;
+  task.seam = Seam(std::move(pieces));
+  EXPECT_TRUE(seam_features(task, 0.1).empty());
+}
+
 }  // namespace
 }  // namespace wristwise

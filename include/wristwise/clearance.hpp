@@ -8,8 +8,9 @@
 
 #include "wristwise/kinematics.hpp"
 #include "wristwise/scene.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// The pairs of convex shapes whose distance counts. Immutable, shared by threads.
 class ClearanceModel {

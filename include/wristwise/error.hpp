@@ -3,7 +3,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace wristwise {
+#include "wristwise/visibility.hpp"
+
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// The one exception for input that cannot be used: an unknown key, a missing file, NaN, inverted
 /// bounds. `what()` is one line: "<where>: <problem>; expected <expected>".

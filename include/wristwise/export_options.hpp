@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace wristwise {
+#include "wristwise/visibility.hpp"
+
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// Where a joint of the chain is on the robot controller:
 /// axis value = sign * joint value + offset, in deg for turning, in mm for sliding joints.

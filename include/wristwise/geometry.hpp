@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "wristwise/pose.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 struct Box {
   Eigen::Vector3d size;  ///< full edge lengths, m; centred

@@ -9,8 +9,9 @@
 
 #include "wristwise/robot.hpp"
 #include "wristwise/tolerance.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// A sample of a tolerance box, and the part of the box that it stands for.
 struct ToleranceSample {

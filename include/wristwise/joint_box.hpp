@@ -4,8 +4,9 @@
 #include <utility>
 
 #include "wristwise/joints.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 class Robot;
 

@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 
-namespace wristwise {
+#include "wristwise/visibility.hpp"
+
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// The most movable joints a chain may have. Bounded, so that joint vectors live on the stack.
 inline constexpr int kMaxJoints = 16;

@@ -3,8 +3,9 @@
 #include <array>
 
 #include "wristwise/robot.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// Where every joint of the chain is at one posture, in the base frame.
 struct ChainPose {

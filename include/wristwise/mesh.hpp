@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "wristwise/geometry.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 struct MeshOptions {
   /// Concave parts are cut into convex pieces that reach at most so far (m) beyond the part.

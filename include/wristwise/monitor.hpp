@@ -4,7 +4,9 @@
 #include <functional>
 #include <string>
 
-namespace wristwise {
+#include "wristwise/visibility.hpp"
+
+namespace WRISTWISE_PUBLIC wristwise {
 
 enum class LogLevel { info, warning };
 

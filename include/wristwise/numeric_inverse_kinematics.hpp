@@ -6,8 +6,9 @@
 
 #include "wristwise/inverse_kinematics.hpp"
 #include "wristwise/tolerance.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 class NumericSearch;
 

@@ -7,8 +7,9 @@
 
 #include "wristwise/inverse_kinematics.hpp"
 #include "wristwise/pose.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// How far a posture is from a singular one, from 0 (singular) to 1 (F20).
 enum class SingularityMeasure {

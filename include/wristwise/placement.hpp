@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "wristwise/plan.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// What stands elsewhere when a placement is tried.
 enum class Placed {

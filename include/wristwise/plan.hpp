@@ -12,8 +12,9 @@
 #include "wristwise/trajectory.hpp"
 #include "wristwise/trajectory_file.hpp"
 #include "wristwise/verification.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 enum class Mode { two_stage, graph_only, smooth };
 enum class Status {

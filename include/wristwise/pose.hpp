@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <array>
 
-namespace wristwise {
+#include "wristwise/visibility.hpp"
+
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// A rigid transformation; positions in m.
 using Pose = Eigen::Isometry3d;

@@ -10,8 +10,9 @@
 #include "wristwise/robot.hpp"
 #include "wristwise/scene.hpp"
 #include "wristwise/seam.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// Everything that a problem file says.
 struct Problem {

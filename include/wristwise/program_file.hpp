@@ -5,8 +5,9 @@
 #include "wristwise/export_options.hpp"
 #include "wristwise/robot.hpp"
 #include "wristwise/trajectory_file.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// Reads a joint path by the file's extension: a robot program with joint moves (.src KUKA, .mod
 /// and .prg ABB, .ls Fanuc), a JointTrajectory or RobotTrajectory of ROS (.yaml, .yml), or else a

@@ -7,8 +7,9 @@
 #include "wristwise/geometry.hpp"
 #include "wristwise/joints.hpp"
 #include "wristwise/pose.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 enum class JointType { revolute, continuous, prismatic };
 

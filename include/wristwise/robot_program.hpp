@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "wristwise/plan.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// What a trajectory can be written as.
 enum class ProgramFormat {

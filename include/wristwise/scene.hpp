@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "wristwise/geometry.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 struct SceneObject {
   std::string name;

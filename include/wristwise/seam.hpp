@@ -8,8 +8,9 @@
 #include "wristwise/pose.hpp"
 #include "wristwise/tolerance.hpp"
 #include "wristwise/trajectory.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// A way from one frame to another that is neither straight nor a circular arc.
 class SeamCurve {

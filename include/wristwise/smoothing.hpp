@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "wristwise/plan.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// How a joint path is smoothed of which nothing else is known.
 struct SmoothingOptions {

@@ -3,8 +3,9 @@
 #include <utility>
 
 #include "wristwise/clearance.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// A joint motion over s in [0, 1], with a bound on how far it strays.
 class Motion {

@@ -6,8 +6,9 @@
 
 #include "wristwise/joints.hpp"
 #include "wristwise/pose.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 enum class ToleranceFrame { path, base };
 

@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "wristwise/joints.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// Joint positions at given times: taken as joined by straight joint-space moves.
 struct JointPath {

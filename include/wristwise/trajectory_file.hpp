@@ -7,8 +7,9 @@
 
 #include "wristwise/seam.hpp"
 #include "wristwise/trajectory.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// What a trajectory.csv holds: points, a curve where it has velocity and acceleration columns, and
 /// the time law of the seam (s) where it has the columns of that.

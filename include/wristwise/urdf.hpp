@@ -7,8 +7,9 @@
 
 #include "wristwise/mesh.hpp"
 #include "wristwise/robot.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 struct RobotSource {
   std::filesystem::path urdf;

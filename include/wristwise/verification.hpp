@@ -9,8 +9,9 @@
 #include "wristwise/clearance.hpp"
 #include "wristwise/seam.hpp"
 #include "wristwise/trajectory.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// What "passed" means, in numbers.
 struct VerificationOptions {

@@ -29,3 +29,5 @@
 #include "wristwise/trajectory_file.hpp"
 #include "wristwise/urdf.hpp"
 #include "wristwise/verification.hpp"
+#include "wristwise/version.hpp"
+#include "wristwise/visibility.hpp"

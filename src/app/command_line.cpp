@@ -11,6 +11,7 @@
 #include "app/help_text.hpp"
 #include "app/mistyped.hpp"
 #include "wristwise/error.hpp"
+#include "wristwise/version.hpp"
 
 namespace wristwise::app {
 
@@ -37,6 +38,9 @@ CommandLine::CommandLine()
   program_.require_subcommand(1);
   program_.fallthrough();
   program_.set_help_flag("-h,--help", "Print this help")->group(kGroup);
+  program_.set_version_flag("--version", std::string("wristwise ") + library_version(),
+                            "Print the version")
+      ->group(kGroup);
   program_.add_flag("--quiet", settings_.quiet, "No progress and no log lines")->group(kGroup);
   program_.add_option("--threads", settings_.threads, "Threads; 0, the default: one per core")
       ->type_name("N")
@@ -83,6 +87,9 @@ int CommandLine::run(std::vector<std::string> arguments) {
     parse(arguments);
   } catch (const CLI::CallForHelp&) {
     return print_help();
+  } catch (const CLI::CallForVersion& version) {
+    fmt::print("{}\n", version.what());
+    return 0;
   }
   settings_.colour = colour();
   return action_();
@@ -91,7 +98,7 @@ int CommandLine::run(std::vector<std::string> arguments) {
 void CommandLine::parse(const std::vector<std::string>& arguments) {
   try {
     program_.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-  } catch (const CLI::CallForHelp&) {
+  } catch (const CLI::Success&) {  // help or version is asked for
     throw;
   } catch (const CLI::ParseError& error) {
     const auto commands = program_.get_subcommands();

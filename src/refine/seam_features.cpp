@@ -49,6 +49,7 @@ void add_rounded_corners(const Task& task, double spacing, std::vector<SeamFeatu
 
 /// m/s^2, of the TCP in a piece run at weld speed, at its beginning or its end.
 Eigen::Vector3d acceleration(const SeamPiece& piece, bool at_end) {
+  if (piece.kind == SeamPiece::Kind::line) return Eigen::Vector3d::Zero();
   constexpr double kStep = 1e-3;  // of the piece
   const auto at = [&](int steps) -> Eigen::Vector3d {
     return piece.frame_at(at_end ? 1 - steps * kStep : steps * kStep).translation();

@@ -11,6 +11,7 @@ namespace {
 constexpr double kShare = 0.9;  ///< of the stretches that have to be nearly straight
 constexpr std::size_t kMostMiddles = 2000;
 constexpr double kFewestSteps = 2.5;
+constexpr double kShorter = 0.84089641525371454;  ///< 2^(-1/4)
 
 double median_step(const std::vector<double>& times) {
   std::vector<double> steps;
@@ -58,7 +59,7 @@ StraightTime straight_time(const std::vector<double>& times, const std::vector<P
                            double position, double angle) {
   const double longest = 0.25 * (times.back() - times.front());
   const double shortest = std::min(kFewestSteps * median_step(times), longest);
-  for (double length = longest;; length = std::max(0.5 * length, shortest)) {
+  for (double length = longest;; length = std::max(kShorter * length, shortest)) {
     const bool straight = is_straight_over(length, times, poses, position, angle);
     if (straight || length <= shortest) return {length, straight};
   }

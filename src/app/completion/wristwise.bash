@@ -3,9 +3,9 @@
 #   source wristwise.bash
 
 _wristwise_commands="new plan smooth check compare place info help"
-_wristwise_options="--help --quiet --threads --no-cache --color"
+_wristwise_options="--help --version --quiet --threads --no-cache --color"
 
-_wristwise_without_value="-h --help --quiet --no-cache --force --no-self-collision --no-report --json"
+_wristwise_without_value="-h --help --version --quiet --no-cache --force --no-self-collision --no-report --json"
 
 # Options of a command beside those of every command.
 _wristwise_options_of() {
