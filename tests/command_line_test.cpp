@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "gantry_urdf.hpp"
 #include "run_program.hpp"
@@ -95,6 +96,14 @@ TEST_F(CommandLine, MistakesInTheProblemAreInvalidInput) {
   expect_invalid_problem("base_link: base_link", "base_link: link_6\n  tool: {}", {"link_6"});
   expect_invalid_problem("collision: off", "objects: [{name: a, mesh: none.stl}]",
                          {"p.yaml:6", "scene.objects[0].mesh", "none.stl"});
+}
+
+TEST_F(CommandLine, WhatIsNoYamlIsNamedWithLineAndColumn) {
+  write("robot:\n  urdf: a.urdf\n  base_link: [a, b\npath: 1\n");
+  const ProgramRun outcome = run({"plan", "p.yaml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(std::regex_search(outcome.err, std::regex(R"(p\.yaml:[34]:\d+: not valid YAML)")))
+      << outcome.err;
 }
 
 TEST_F(CommandLine, EmptySeam) {
@@ -324,15 +333,23 @@ TEST_F(CommandLine, CompareWritesBoth) {
 
 TEST_F(CommandLine, DefaultFolderIsNamedAfterTheProblem) {
   write(kProblem);
-  ASSERT_EQ(run({"plan", "p.yaml"}).exit_code, 0);
+  const ProgramRun planned = run({"plan", "p.yaml"});
+  ASSERT_EQ(planned.exit_code, 0);
   EXPECT_EQ(result("out/p")["problem"], "p");
+  EXPECT_NE(planned.out.find("next: open out/p/report.html in a browser"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out/p/report.html"));
+  EXPECT_EQ(run({"plan", "p.yaml", "--no-report"}).out.find("report.html"), std::string::npos);
 }
 
 TEST_F(CommandLine, OutOfReachIsDiagnosed) {
   write(replaced(replaced(kProblem, "[0.9, -0.02, 0.5]", "[1.9, -0.02, 0.5]"), "[0.9, 0.02, 0.5]",
                  "[1.9, 0.02, 0.5]"));
   for (const std::string mode : {"two-stage", "graph-only"}) {
-    EXPECT_EQ(run({"plan", "p.yaml", "--mode", mode, "--out", "out"}).exit_code, 1);
+    const ProgramRun outcome = run({"plan", "p.yaml", "--mode", mode, "--out", "out"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.out.find("next: move the seam (path.frame)"), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("wristwise place p.yaml"), std::string::npos) << outcome.out;
     const Json json = result("out");
     EXPECT_EQ(json["status"], "infeasible");
     ASSERT_FALSE(json["diagnosis"].empty());
@@ -349,6 +366,7 @@ TEST_F(CommandLine, InterruptionIsAResult) {
                                          std::chrono::milliseconds(300), SIGINT);
   EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
   EXPECT_EQ(result("out")["status"], "interrupted");
+  EXPECT_NE(outcome.out.find("kept: "), std::string::npos) << outcome.out;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/exit_code.hpp"
+#include "app/joint_unit.hpp"
 #include "app/output.hpp"
 #include "app/required_file.hpp"
 #include "app/text_table.hpp"
@@ -33,10 +34,9 @@ std::string limit_text(double value) { return std::isfinite(value) ? short_numbe
 
 std::string joint_table(const Robot& robot) {
   std::vector<TableRow> rows = {
-      {"joint", "type", "unit", "lower", "upper", "velocity", "acceleration", "jerk"}};
+      {"joint", "type", "unit", "lower", "upper", "velocity", "accel.", "jerk"}};
   for (const Joint& joint : robot.joints())
-    rows.push_back({joint.name, type_name(joint.type),
-                    joint.type == JointType::prismatic ? "m" : "rad", limit_text(joint.lower),
+    rows.push_back({joint.name, type_name(joint.type), joint_unit(joint), limit_text(joint.lower),
                     limit_text(joint.upper), limit_text(joint.max_velocity),
                     limit_text(joint.max_acceleration), limit_text(joint.max_jerk)});
   return aligned(rows);

@@ -38,8 +38,9 @@ CommandLine::CommandLine()
   program_.require_subcommand(1);
   program_.fallthrough();
   program_.set_help_flag("-h,--help", "Print this help")->group(kGroup);
-  program_.set_version_flag("--version", std::string("wristwise ") + library_version(),
-                            "Print the version")
+  program_
+      .set_version_flag("--version", std::string("wristwise ") + library_version(),
+                        "Print the version")
       ->group(kGroup);
   program_.add_flag("--quiet", settings_.quiet, "No progress and no log lines")->group(kGroup);
   program_.add_option("--threads", settings_.threads, "Threads; 0, the default: one per core")

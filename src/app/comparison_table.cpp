@@ -5,7 +5,6 @@
 #include <array>
 
 #include "app/excess_rows.hpp"
-#include "app/joint_unit.hpp"
 #include "app/text_table.hpp"
 #include "app/verification_table.hpp"
 #include "io/peaks.hpp"
@@ -37,10 +36,10 @@ void append_peaks(const PlanResult& first, const PlanResult& second, const Robot
     if (!first_peak || !second_peak) continue;
     for (int j = 0; j < robot.joint_count(); ++j) {
       const Joint& joint = robot.joints()[static_cast<std::size_t>(j)];
-      rows.push_back(number_row(
-          fmt::format("peak {} of {}, {}", kDerivativeNames[static_cast<std::size_t>(order - 1)],
-                      joint.name, joint_unit(joint, order)),
-          (*first_peak)[j], (*second_peak)[j]));
+      rows.push_back(
+          number_row(fmt::format("peak {} of {}",
+                                 kDerivativeNames[static_cast<std::size_t>(order - 1)], joint.name),
+                     (*first_peak)[j], (*second_peak)[j]));
     }
   }
 }
@@ -68,7 +67,7 @@ std::string comparison_table(const PlanResult& graph_only, const PlanResult& two
   rows.push_back({"clearance, m", clearance_text(first), clearance_text(second)});
   rows.push_back(number_row("joint speed / limit", first.velocity_ratio, second.velocity_ratio));
   rows.push_back(number_row("time, s", graph_only.timing.total, two_stage.timing.total));
-  return aligned(rows, 0);
+  return aligned(rows, 0) + "peaks in rad (m of a sliding joint) and s\n";
 }
 
 }  // namespace wristwise::app

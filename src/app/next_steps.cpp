@@ -59,7 +59,7 @@ std::vector<std::string> steps(const PlanResult& result, const RunFiles& files) 
       break;
     case Status::infeasible:
     case Status::failed:
-      lines.push_back("try: " + remedy(result, files));
+      lines.push_back(remedy(result, files));
   }
   return lines;
 }

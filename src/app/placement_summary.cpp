@@ -99,7 +99,7 @@ std::string peak_table(const PlacementPlans& before, const PlacementPlans& after
     for (const PlanResult* plan :
          {&before.graph_only, &before.two_stage, &after.graph_only, &after.two_stage})
       row.push_back(peak_text(*plan, j));
-    row.push_back(joint_unit(joint, 1));
+    row.push_back(joint_unit(joint) + "/s");
     rows.push_back(std::move(row));
   }
   return aligned(rows, 0);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "app/excess_rows.hpp"
-#include "app/joint_unit.hpp"
 #include "app/text_table.hpp"
 #include "io/peaks.hpp"
 
@@ -25,10 +24,10 @@ void append_peaks(const PlanResult& result, const Robot& robot, std::vector<Tabl
     const JointVector limit = derivative_limits(robot, order);
     for (int j = 0; j < robot.joint_count(); ++j) {
       const Joint& joint = robot.joints()[static_cast<std::size_t>(j)];
-      rows.push_back({fmt::format("peak {} of {}, {}", kNames[static_cast<std::size_t>(order - 1)],
-                                  joint.name, joint_unit(joint, order)),
-                      before ? short_number((*before)[j]) : "-", short_number(after[j]),
-                      limit_text(limit[j])});
+      rows.push_back(
+          {fmt::format("peak {} of {}", kNames[static_cast<std::size_t>(order - 1)], joint.name),
+           before ? short_number((*before)[j]) : "-", short_number(after[j]),
+           limit_text(limit[j])});
     }
   }
 }
@@ -62,7 +61,7 @@ std::string violations(const std::string& when, const std::vector<std::string>& 
 std::string smoothing_table(const PlanResult& result, const Problem& problem, const Paint& paint) {
   if (!result.before || result.trajectory.empty()) return {};
   const Verification& before = result.before->verification;
-  std::vector<TableRow> rows = {{"", "before", "after", "limit"}};
+  std::vector<TableRow> rows = {{"rad, m, s", "before", "after", "limit"}};
   append_peaks(result, *problem.robot, rows);
   append_excesses(before, result.verification, problem, rows);
   return aligned(rows, 0) + violations("before", violations_of(before), paint) +

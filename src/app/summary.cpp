@@ -110,7 +110,7 @@ std::string peak_lines(const PlanResult& result, const Problem& problem, const P
       const auto peak = peak_derivative(result.path, order);
       row.push_back(peak ? short_number((*peak)[j]) : "-");
     }
-    row.push_back(joint_unit(joint, 0) + ", s");
+    row.push_back(joint_unit(joint) + ", s");
     rows.push_back(std::move(row));
   }
   return aligned(rows, 0);
@@ -143,9 +143,8 @@ std::string slowed_lines(const PlanResult& result, const Problem& problem, const
 
 std::string timing_line(const Timing& timing) {
   return fmt::format(
-      "time: load {:.3f} s, sampling {:.3f} s, search {:.3f} s, refine {:.3f} s, verify {:.3f} s, "
-      "total {:.3f} s\n",
-      timing.load, timing.sampling, timing.search, timing.refine, timing.verify, timing.total);
+      "time {:.3f} s: load {:.3f}, sampling {:.3f}, search {:.3f}, refine {:.3f}, verify {:.3f}\n",
+      timing.total, timing.load, timing.sampling, timing.search, timing.refine, timing.verify);
 }
 
 }  // namespace

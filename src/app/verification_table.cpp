@@ -22,7 +22,7 @@ std::string ratio_text(double ratio, int joint, const Problem& problem) {
 
 std::string clearance_text(const Verification& verification, const Problem& problem) {
   if (!verification.clearance) return "no pair counts";
-  return fmt::format("{} m of {} m ({} - {}, {} s)", short_number(*verification.clearance),
+  return fmt::format("{} of {} m ({} - {}, {} s)", short_number(*verification.clearance),
                      problem.scene.clearance, verification.clearance_pair.first,
                      verification.clearance_pair.second, short_number(verification.clearance_time));
 }
