@@ -69,6 +69,9 @@ class Completion(ProgramTest):
         self.assertEqual(self.complete("plan", "--mode", ""), ["two-stage", "graph-only"])
         self.assertEqual(self.complete("plan", "--mode", "g"), ["graph-only"])
         self.assertEqual(self.complete("--color", "a"), ["auto", "always"])
+        self.assertEqual(self.complete("plan", "--mode", "=", "g"), ["graph-only"])
+        self.assertEqual(self.complete("plan", "--mode", "="), ["two-stage", "graph-only"])
+        self.assertEqual(self.complete("--color", "=", "never", "inf"), ["info"])
         self.assertEqual(self.complete("info", "--collision-from", "v"), ["visual"])
         self.assertEqual(self.complete("new", "a.yaml", "--seam", ""), ["line", "arc", "csv"])
 

@@ -23,18 +23,18 @@ _wristwise_options_of() {
 
 # Files with one of the extensions, and folders: _wristwise_files WORD EXTENSION...
 _wristwise_files() {
-  local word=$1 path extension
+  local word=$1 path extension slash=/
   shift
+  compopt -o filenames 2>/dev/null && slash=  # readline adds it, and quotes
   while IFS= read -r path; do
     if [[ -d $path ]]; then
-      COMPREPLY+=("$path/")
+      COMPREPLY+=("$path$slash")
       continue
     fi
     for extension in "$@"; do
       [[ $path == *."$extension" ]] && COMPREPLY+=("$path")
     done
   done < <(compgen -f -- "$word")
-  compopt -o nospace -o filenames 2>/dev/null
 }
 
 _wristwise_words() {
@@ -90,6 +90,7 @@ _wristwise() {
   COMPREPLY=()
   for ((i = 1; i < COMP_CWORD; i++)); do
     if _wristwise_takes_value "${COMP_WORDS[i]}"; then
+      [[ ${COMP_WORDS[i + 1]} == = ]] && ((i++))
       ((i++))
     elif [[ ${COMP_WORDS[i]} == -* ]]; then
       continue
@@ -100,6 +101,11 @@ _wristwise() {
     fi
   done
   local before=${COMP_WORDS[COMP_CWORD - 1]}
+  if [[ $word == = ]]; then  # bash cuts --option=value in three
+    word=
+  elif [[ $before == = ]]; then
+    before=${COMP_WORDS[COMP_CWORD - 2]}
+  fi
   if _wristwise_takes_value "$before"; then
     _wristwise_value "$before" "$word"
   elif [[ $word == -* ]]; then

@@ -34,6 +34,7 @@ std::string number(double value) {
 
 std::string list_text(const std::vector<double>& values) {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const double value : values) texts.push_back(number(value));
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
@@ -46,7 +47,7 @@ std::string scalar(const std::string& text) {
                         text.find_first_not_of(
                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                             "0123456789_./-") == std::string::npos;
-  const bool is_path = text.rfind("../", 0) == 0 || text.rfind("/", 0) == 0;
+  const bool is_path = text.rfind("../", 0) == 0 || (!text.empty() && text[0] == '/');
   const bool has_odd = text.find_first_of(":#'\"\\ {}[],&*?|<>=!%@`\t") != std::string::npos;
   if (is_plain || (is_path && !has_odd)) return text;
   std::string quoted = "'";
@@ -162,6 +163,7 @@ std::string filled(std::string text, const std::map<std::string, std::string>& v
 
 std::vector<double> rounded_posture(const SeamPlace& place) {
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(place.posture.size()));
   for (const double value : place.posture) values.push_back(std::round(value * 1000) / 1000);
   return values;
 }
