@@ -179,6 +179,18 @@ TEST_F(NewProblem, JointRangesAreTheRobots) {
   expect_solved("p.yaml");
 }
 
+TEST_F(NewProblem, IsPlannedForAnArmOfFiveAxes) {
+  const std::string six = file_text(kSource + "/robots/kuka_kr5_arc/kuka_kr5_arc.urdf");
+  for (const std::string held : {"joint_a4", "joint_a6"}) {
+    const std::string joint = "name=\"" + held + "\" type=\"";
+    folder_.write("five.urdf", test::replaced(six, joint + "revolute", joint + "fixed"));
+    const ProgramRun made = run({"new", "p.yaml", "--force", "--robot", "five.urdf"});
+    ASSERT_EQ(made.exit_code, 0) << held << made.err;
+    EXPECT_EQ(load_problem(folder_.path() / "p.yaml").robot->joint_count(), 5);
+    expect_solved("p.yaml");
+  }
+}
+
 TEST_F(NewProblem, PathsLeadFromTheFilesOwnFolder) {
   std::filesystem::create_directories(folder_.path() / "cell/robots");
   std::filesystem::create_directories(folder_.path() / "cell/seams");

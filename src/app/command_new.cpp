@@ -109,7 +109,7 @@ class NewProblemSearch {
 
   std::vector<Freedom> freedoms() const {
     if (solver_->meets_every_pose()) return {Freedom::tilt_and_spin, Freedom::spin};
-    return {Freedom::spin, Freedom::none};
+    return {Freedom::spin, Freedom::tilt_and_spin, Freedom::none};
   }
 
   static std::vector<std::optional<double>> gaps() { return {0.0, kGapBelowTorch, std::nullopt}; }

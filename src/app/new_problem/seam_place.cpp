@@ -150,10 +150,25 @@ class SeamReach {
  private:
   std::vector<JointVector> postures(const Pose& tcp) const {
     std::vector<JointVector> branches, inside;
-    solver_.solve(tcp, branches);
+    if (solver_.meets_every_pose())
+      solver_.solve(tcp, branches);
+    else
+      solver_.solve_near(near(tcp), branches);
     for (const JointVector& branch : branches)
       append_turns(robot_, branch, Turns::all, inside, nullptr);
     return inside;
+  }
+
+  /// Whatever a seam to start from leaves to the torch: tilt and spin.
+  static ToleranceSample near(const Pose& tcp) {
+    ToleranceSample sample;
+    sample.path_frame = tcp;
+    sample.upper.tail<3>() = Eigen::Vector3d(kTravelAngle, kWorkAngle, kPi);
+    sample.lower = -sample.upper;
+    sample.box.upper = sample.upper;
+    sample.box.upper[5] = ToleranceBox::kFree;
+    sample.box.lower = -sample.box.upper;
+    return sample;
   }
 
   bool can_follow(JointVector posture, const SeamPiece& seam, const Pose& turn) const {

@@ -10,6 +10,8 @@ namespace wristwise::app {
 
 enum class SeamShape { line, arc };
 
+constexpr double kTravelAngle = 0.174532925199432957, kWorkAngle = 0.5 * kTravelAngle;  // rad, +-
+
 /// A seam to start from: where it is, and how the torch stands on it.
 struct SeamPlace {
   Pose frame = Pose::Identity();          ///< of the seam's middle, in the part's link
