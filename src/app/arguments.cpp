@@ -32,6 +32,11 @@ void add_no_report(CLI::App& app, bool& no_report) {
   add_flag(app, kResults, "--no-report", no_report, "Write no report.html");
 }
 
+void add_plot(CLI::App& app, bool& plot) {
+  add_flag(app, kResults, "--plot", plot,
+           "Pictures too (SVG): joint profiles with limits, use of the tolerance");
+}
+
 void add_export(CLI::App& app, std::vector<std::string>& formats) {
   add(app, kResults, "--export", formats, "FORMAT",
       "Robot program too: krl, rapid, ls, trajectory_msgs or moveit; several with commas, or the "
@@ -56,6 +61,7 @@ void add_arguments(CLI::App& app, PlanCommand& command) {
   add_out(app, command.out, "out/<problem>");
   add_export(app, command.exports);
   add_no_report(app, command.no_report);
+  add_plot(app, command.plot);
 }
 
 void add_arguments(CLI::App& app, SmoothCommand& command) {
@@ -79,6 +85,7 @@ void add_arguments(CLI::App& app, SmoothCommand& command) {
   add_out(app, command.out, "out/<problem> or out/<joint path>");
   add_export(app, command.exports);
   add_no_report(app, command.no_report);
+  add_plot(app, command.plot);
 }
 
 void add_arguments(CLI::App& app, CheckCommand& command) {
@@ -91,6 +98,7 @@ void add_arguments(CLI::App& app, CompareCommand& command) {
   add_problem(app, command.problem);
   add_out(app, command.out, "out/<problem>");
   add_no_report(app, command.no_report);
+  add_plot(app, command.plot);
 }
 
 void add_arguments(CLI::App& app, PlaceCommand& command) {

@@ -5,7 +5,6 @@
 #include "app/console.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
-#include "app/joint_names.hpp"
 #include "app/output.hpp"
 #include "app/required_file.hpp"
 #include "app/verification_table.hpp"
@@ -18,7 +17,7 @@ int run_check(const CheckCommand& command, const Settings& settings) {
   require_file(command.problem, "a problem file", ".yaml");
   require_file(command.trajectory, "a trajectory", ".csv");
   const Problem problem = load_problem(command.problem, load_options(settings));
-  const TrajectoryFile file = read_trajectory(command.trajectory, joint_names(*problem.robot));
+  const TrajectoryFile file = read_trajectory(command.trajectory, problem.robot->joint_names());
   Verification verification;
   {
     Console console(settings);

@@ -6,6 +6,7 @@
 #include "app/next_steps.hpp"
 #include "app/output.hpp"
 #include "app/output_folder.hpp"
+#include "app/pictures.hpp"
 #include "app/planning_run.hpp"
 #include "app/required_file.hpp"
 #include "io/result_file.hpp"
@@ -28,6 +29,8 @@ int run_compare(const CompareCommand& command, const Settings& settings) {
                  {two_stage.problem, two_stage.result, &graph_only.result, two_stage.inputs});
   const Paint paint(settings.colour, STDOUT_FILENO);
   print(comparison_table(graph_only.result, two_stage.result, graph_only.problem, paint) +
+        write_pictures(command.plot, folder, two_stage.problem, two_stage.result,
+                       &graph_only.result) +
         next_steps(two_stage.result, {command.problem, folder, !command.no_report}, paint));
   return two_stage.exit_code;
 }

@@ -7,6 +7,7 @@
 #include "app/next_steps.hpp"
 #include "app/output.hpp"
 #include "app/output_folder.hpp"
+#include "app/pictures.hpp"
 #include "app/planning_run.hpp"
 #include "app/required_file.hpp"
 #include "app/summary.hpp"
@@ -132,6 +133,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
   const Paint paint(settings.colour, STDOUT_FILENO);
   print(summary(run.result, run.problem, paint) +
         write_exports(formats, folder, run.result, run.problem) +
+        write_pictures(command.plot, folder, run.problem, run.result) +
         next_steps(run.result, {command.problem, folder, !command.no_report}, paint));
   return run.exit_code;
 }

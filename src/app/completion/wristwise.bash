@@ -5,17 +5,17 @@
 _wristwise_commands="new plan smooth check compare place info help"
 _wristwise_options="--help --version --quiet --threads --no-cache --color"
 
-_wristwise_without_value="-h --help --version --quiet --no-cache --force --no-self-collision --no-report --json"
+_wristwise_without_value="-h --help --version --quiet --no-cache --force --no-self-collision --no-report --plot --json"
 
 # Options of a command beside those of every command.
 _wristwise_options_of() {
   case $1 in
     new) echo "--force --robot --base --part --tip --limits --seam" ;;
-    plan) echo "--mode --out --export --no-report" ;;
+    plan) echo "--mode --out --export --no-report --plot" ;;
     smooth) echo "--joints --smoothing-time --urdf --base --part --tip --limits --keep \
-      --no-self-collision --out --export --no-report" ;;
+      --no-self-collision --out --export --no-report --plot" ;;
     check) echo "--json" ;;
-    compare) echo "--out --no-report" ;;
+    compare) echo "--out --no-report --plot" ;;
     place) echo "--out" ;;
     info) echo "--base --part --tip --limits --srdf --group --package --collision-from" ;;
   esac
