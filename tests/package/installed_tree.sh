@@ -68,6 +68,7 @@ program() {
     --out "$place/out/mesh"
   [ ! -e "$place/share/wristwise/problems/.wristwise_cache" ] || fail "it could write"
   grep -q '"status": "solved"' "$place/out/mesh/result.json"
+  "${run[@]}" "$place/bin/wristwise" new "$place/out/new.yaml"
   "$place/bin/wristwise" --version | grep -x "wristwise [0-9]*\.[0-9]*\.[0-9]*"
 }
 
