@@ -72,12 +72,20 @@ void bind_outcome(py::module_& module) {
       .done(false);
 }
 
+void expect_complete(const Task& task) {
+  if (task.waypoints.size() < 2)
+    throw InvalidInput("task.waypoints", std::to_string(task.waypoints.size()) + " given",
+                       "at least two");
+  if (task.seam.pieces().empty()) throw InvalidInput("task.seam", "no pieces", "at least one");
+}
+
 template <class Motion>
 void def_verify(py::module_& module, const char* motion_name, const char* doc) {
   module.def(
       "verify",
       [](const Task& task, const std::shared_ptr<ClearanceModel>& clearance, const Motion& motion,
          const VerificationOptions& options) {
+        expect_complete(task);
         const auto model = shared(clearance, "clearance");
         const Task copy = task;
         const VerificationOptions options_copy = options;

@@ -179,6 +179,19 @@ def test_a_path_of_another_robot_is_refused(seam_problem):
         wristwise.smooth(seam_problem.robot, path, wristwise.SmoothingOptions())
 
 
+def test_a_verification_needs_a_task(seam_problem):
+    model = wristwise.ClearanceModel(seam_problem.robot, seam_problem.scene)
+    path = wristwise.JointPath(times=[0, 36], positions=numpy.zeros((2, 6)))
+    with pytest.raises(wristwise.InvalidInput, match="task.waypoints: 0 given"):
+        wristwise.verify(wristwise.Task(), model, path)
+    with pytest.raises(wristwise.InvalidInput, match="task.seam: no pieces"):
+        wristwise.verify(wristwise.Task(waypoints=seam_problem.task.waypoints), model, path)
+    with pytest.raises(wristwise.InvalidInput):
+        wristwise.verify(seam_problem.task, model, wristwise.Trajectory())
+    with pytest.raises(wristwise.InvalidInput):
+        wristwise.verify(seam_problem.task, model, path.replace(positions=numpy.zeros((2, 3))))
+
+
 def test_empty_curves_and_seams_answer_nothing():
     for ask in (lambda: wristwise.Trajectory().evaluate(0), lambda: wristwise.Trajectory().sample([0]),
                 lambda: wristwise.Seam().frame_at(0), lambda: wristwise.Seam().start_time,
