@@ -40,12 +40,12 @@ class Pipeline {
  public:
   Pipeline(const Problem& problem, const PlanOptions& options, Mode mode)
       : problem_(problem), options_(options), threads_(thread_count(options.threads)) {
+    check_problem(problem);
     result_.mode = mode;
     verification_ = verification_options(problem, options);
   }
 
   PlanResult plan() {
-    check_problem(problem_);
     return run([this] {
       prepare();
       if (!find_seeds(problem_.task)) return;
@@ -62,7 +62,6 @@ class Pipeline {
   }
 
   PlanResult smooth(const JointPath& path) {
-    check_problem(problem_);
     validate(path, problem_.robot->joint_count(), "joint path");
     return run([&] {
       prepare();
@@ -304,6 +303,7 @@ Verification check(const Problem& problem, const Trajectory& trajectory,
 }
 
 Verification check(const Problem& problem, const TrajectoryFile& file, const PlanOptions& options) {
+  check_task(problem);
   Task task = problem.task;
   if (file.seam_time) {
     Verification unusable;

@@ -65,6 +65,8 @@ void check_cost(const CostOptions& cost, int joints) {
   not_negative("cost.posture", cost.posture);
   per_joint("cost.preferred_posture", cost.preferred_posture, joints, finite);
   per_joint("cost.joint_weights", cost.joint_weights, joints, positive);
+  for (const PostureResidual& residual : cost.posture_residuals)
+    if (!residual) throw InvalidInput("cost.posture_residuals", "an empty function");
 }
 
 void check_graph(const GraphOptions& graph, int joints) {
@@ -134,6 +136,7 @@ void check_problem(const Problem& problem) {
   check_cost(problem.cost, joints);
   check_graph(problem.graph, joints);
   check_refine(problem.refine);
+  positive("problem.controller_period", problem.controller_period);
 }
 
 }  // namespace wristwise

@@ -61,6 +61,11 @@ const std::vector<Fault> kOfTheSearch = {
     {"refine.max_iterations",
      [](Problem& p, double x) { p.refine.max_iterations = static_cast<int>(x); },
      {0, -1}},
+    {"cost.posture_residuals: an empty function",
+     [](Problem& p, double) { p.cost.posture_residuals.emplace_back(); },
+     {0}},
+    {"problem.controller_period", [](Problem& p, double x) { p.controller_period = x; },
+     kNotPositive},
     {"refine.time_limit", [](Problem& p, double x) { p.refine.time_limit = x; }, {-1, kNan}},
 };
 
@@ -89,6 +94,8 @@ Problem problem_with(const Fault& fault, double value) {
   return problem;
 }
 
+const JointPath kPath{{0, 1}, {JointVector::Zero(6), JointVector::Zero(6)}};
+
 TEST(ProblemCheck, EveryOptionOutOfRangeIsNamedBeforeItIsUsed) {
   for (const auto& faults : {kOfTheSearch, kOfTheTask}) {
     for (const Fault& fault : faults) {
@@ -97,17 +104,18 @@ TEST(ProblemCheck, EveryOptionOutOfRangeIsNamedBeforeItIsUsed) {
         const std::string message = invalid_input([&] { plan(problem); });
         EXPECT_NE(message.find(fault.name), std::string::npos) << fault.name << ": " << message;
         EXPECT_EQ(invalid_input([&] { plan_graph_only(problem); }), message);
+        EXPECT_EQ(invalid_input([&] { smooth(problem, kPath); }), message);
       }
     }
   }
 }
 
 TEST(ProblemCheck, ACheckNeedsTheTaskOnly) {
-  const JointPath path{{0, 1}, {JointVector::Zero(6), JointVector::Zero(6)}};
   for (const Fault& fault : kOfTheTask) {
     const Problem problem = problem_with(fault, fault.bad.front());
-    const std::string message = invalid_input([&] { check(problem, path); });
+    const std::string message = invalid_input([&] { check(problem, kPath); });
     EXPECT_NE(message.find(fault.name), std::string::npos) << fault.name << ": " << message;
+    EXPECT_EQ(invalid_input([&] { check(problem, TrajectoryFile{kPath, {}, {}}); }), message);
   }
   for (const Fault& fault : kOfTheSearch)
     EXPECT_NO_THROW(check_task(problem_with(fault, fault.bad.front())));

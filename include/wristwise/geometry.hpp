@@ -9,12 +9,15 @@
 
 namespace WRISTWISE_PUBLIC wristwise {
 
+/// A cuboid about the origin of its frame.
 struct Box {
   Eigen::Vector3d size;  ///< full edge lengths, m; centred
 };
+/// A ball about the origin of its frame.
 struct Sphere {
   double radius;  ///< m
 };
+/// A round, solid cylinder with flat ends.
 struct Cylinder {
   double radius;  ///< m
   double length;  ///< m, along z, centred
@@ -30,11 +33,12 @@ using Geometry = std::variant<Box, Sphere, Cylinder, ConvexHull>;
 
 /// A geometry placed in the frame of the body that carries it.
 struct Shape {
-  Geometry geometry;
-  Pose pose = Pose::Identity();
+  Geometry geometry;             ///< in its own frame
+  Pose pose = Pose::Identity();  ///< of that frame, in the body's; m
 };
 
-/// The point of the geometry that lies farthest along `direction`, in the geometry's own frame.
+/// The point (m) of the geometry that lies farthest along `direction` (of any length but zero),
+/// both in the geometry's own frame.
 Eigen::Vector3d support_point(const Geometry& geometry, const Eigen::Vector3d& direction);
 
 /// Radius (m) of the least sphere about the geometry's own origin that holds it.

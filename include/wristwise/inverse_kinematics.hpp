@@ -15,10 +15,11 @@ namespace WRISTWISE_PUBLIC wristwise {
 
 /// A sample of a tolerance box, and the part of the box that it stands for.
 struct ToleranceSample {
-  ToleranceBox box;
-  Pose path_frame = Pose::Identity();
-  Vector6 deviation = Vector6::Zero();                       ///< m, rad
-  Vector6 lower = Vector6::Zero(), upper = Vector6::Zero();  ///< of the part; m, rad
+  ToleranceBox box;                     ///< of the waypoint
+  Pose path_frame = Pose::Identity();   ///< of the waypoint, in the base frame
+  Vector6 deviation = Vector6::Zero();  ///< of the sample from the path frame; m, rad
+  Vector6 lower = Vector6::Zero();      ///< of the part, from the path frame; m, rad
+  Vector6 upper = Vector6::Zero();      ///< likewise
 };
 
 /// All postures that bring the TCP to a pose. Thread-safe; implement it to bring your own.
@@ -29,6 +30,8 @@ class InverseKinematics {
   /// Clears `branches` and fills it with every distinct solution, revolute joints in (-pi, pi],
   /// *whether or not it is inside the joint limits*, in a fixed order. Empty: out of reach.
   /// Of a chain with joints to spare: those for each sample of the joints that are sampled.
+  /// @param tcp the TCP in the base frame, m
+  /// @param branches n values each, rad or m
   virtual void solve(const Pose& tcp, std::vector<JointVector>& branches) const = 0;
 
   /// The same, but where joints are sampled, with their values of this posture in place of the
@@ -55,6 +58,7 @@ class InverseKinematics {
   virtual std::string description() const = 0;
 };
 
+/// The outcome of the search for a solver.
 struct InverseKinematicsFound {
   std::shared_ptr<const InverseKinematics> solver;  ///< null where nothing fits
   std::string description;                          ///< what was found, or why nothing fits
@@ -88,6 +92,8 @@ using JointSteps = std::map<std::string, double>;
 /// solves the rest; the rest is one piece of the chain, so that one solver serves all samples; as
 /// many prismatic joints, and then the first ones of the chain, are sampled. Without joints to
 /// sample it is the first solver found.
+/// @param robot the chain
+/// @param steps sampling steps of joints, by name
 /// @param finders the preferred ones first; empty: find_closed_form, and where it finds nothing the
 /// numeric solver, of the whole chain unless `steps` names joints
 ///
@@ -102,7 +108,11 @@ InverseKinematicsFound find_redundant_inverse_kinematics(
     const std::shared_ptr<const Robot>& robot, const JointSteps& steps = {},
     const std::vector<InverseKinematicsFinder>& finders = {});
 
-enum class Turns { all, principal };
+/// Which of the postures that differ by whole turns of joints are taken.
+enum class Turns {
+  all,        ///< every one inside the joint limits
+  principal,  ///< the one in (-pi, pi]
+};
 
 /// Appends every copy of `branch` inside the joint limits, shifted by whole turns of its revolute
 /// joints (Turns::all), or the one in (-pi, pi] (Turns::principal). Limits are kept to 1e-12.

@@ -12,11 +12,12 @@ class Robot;
 
 /// A range for each joint, rad or m, in chain order. A joint with lower == upper has one value.
 struct JointBox {
-  JointVector lower;
-  JointVector upper;
+  JointVector lower;  ///< n values, rad or m; -infinity: the joint's own limit
+  JointVector upper;  ///< n values, rad or m; +infinity: the joint's own limit
 
-  JointBox() = default;
+  JointBox() = default;                                                     ///< of no joints
   JointBox(const JointVector& posture) : lower(posture), upper(posture) {}  ///< exactly this one
+  /// Each joint between its bounds; not validated, see cut_to_limits.
   JointBox(JointVector lower_bounds, JointVector upper_bounds)
       : lower(std::move(lower_bounds)), upper(std::move(upper_bounds)) {}
 

@@ -10,6 +10,7 @@
 
 namespace WRISTWISE_PUBLIC wristwise {
 
+/// What a mesh stands for, and how closely its pieces follow it.
 struct MeshOptions {
   /// Concave parts are cut into convex pieces that reach at most so far (m) beyond the part.
   /// nullopt: the convex hull of each connected part.
@@ -26,7 +27,7 @@ struct MeshOptions {
 
 /// A mesh as convex pieces. Together they contain it, so a colliding posture never looks clear.
 struct MeshBody {
-  std::vector<ConvexHull> pieces;
+  std::vector<ConvexHull> pieces;  ///< in the mesh's frame, m
   /// m, no point of a piece is farther from the part; nullopt where nobody asked (convex_error).
   std::optional<double> error;
   std::vector<std::string> warnings;  ///< one line each, with the name of the file
@@ -38,7 +39,8 @@ struct MeshBody {
 MeshBody load_mesh(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                    const MeshOptions& options = {});
 
-/// The convex hull of points (m). @throws InvalidInput where they have no volume.
+/// The convex hull of points (m).
+/// @throws InvalidInput where they have no volume; `where` names the input in the message.
 ConvexHull convex_hull(const std::vector<Eigen::Vector3d>& points, const std::string& where);
 
 }  // namespace wristwise

@@ -17,6 +17,14 @@ enum class SingularityMeasure {
   manipulability,  ///< Yoshikawa's measure, relative to the largest found in the robot's workspace
 };
 
+/// A cost of the caller's own in stage 2: a function r(t, q) of the time (s) and the posture,
+/// rad/s, whose square is integrated over time beside |q'|^2. Differentiable by q; it may be
+/// negative, and should pass zero rather than touch it, so that it is smooth where it vanishes.
+/// Where `gradient` is not null it is to be set to d r / d q, one value per joint. Called from
+/// several threads.
+using PostureResidual =
+    std::function<double(double time, const JointVector& q, JointVector* gradient)>;
+
 /// What is minimised, in both stages.
 struct CostOptions {
   double joint_motion = 1;       ///< weight of |q'|^2 (stage 2) and of the L1 step (stage 1)
@@ -30,7 +38,8 @@ struct CostOptions {
   bool squared_steps = false;    ///< stage 1: the sum of squared joint steps instead of eq. 4
   double singularity_graph = 0;  ///< rad of joint motion at each vertex that is singular; less
                                  ///< where it is farther from that: w (1 - measure)
-  SingularityMeasure singularity_measure = SingularityMeasure::wrist;
+  SingularityMeasure singularity_measure =
+      SingularityMeasure::wrist;  ///< of singularity_graph and of place()
   double singularity_refine = 0;  ///< stage 2: weight of cos^8(wrist) / tau^2 (F32)
   /// Stage 2: weight of |q - preferred|^2 / tau^2; unused where preferred_posture is empty.
   double posture = 1;
@@ -39,8 +48,10 @@ struct CostOptions {
   /// waypoint) in stage 1, rad of joint motion, >= 0, added to the rest. Infinity: not allowed.
   /// Called from several threads.
   std::function<double(std::size_t waypoint, const JointVector& q)> vertex_cost;
+  /// See vertex_cost.
   std::function<double(std::size_t interval, const JointVector& from, const JointVector& to)>
       edge_cost;
+  std::vector<PostureResidual> posture_residuals;  ///< stage 2: each adds the integral of r^2 (F14)
   std::vector<double>
       joint_weights;  ///< one per joint, of its step or its derivatives; empty: ones
 };
@@ -71,7 +82,11 @@ struct GraphOptions {
   int automatic_samples = 0;
   /// Samples again, ever finer, around the best path until the cost settles.
   bool coarse_to_fine = false;
-  Planner planner = Planner::dense;
+  /// False: moves between waypoints are taken as they are, whatever they hit and wherever the TCP
+  /// strays, as the Descartes algorithm does; `max_stray` is unused. To compare with; the
+  /// verification does check them.
+  bool check_moves = true;
+  Planner planner = Planner::dense;  ///< which waypoints are planned
   /// rad or m; sparse: how far an interpolated posture may be from the nearest one in tolerance.
   double sparse_deviation = 0.05;
   bool try_relaxations = true;  ///< where there is no path, look for the smallest that would help
@@ -81,14 +96,14 @@ struct GraphOptions {
   /// Paths are distinct where at some waypoint no chain of neighbours joins them: other branches of
   /// the robot, other sides of an obstacle. Whole turns are not counted.
   double seed_separation = 0.5;
-  Turns turns = Turns::all;
+  Turns turns = Turns::all;  ///< whole turns of joints that are taken
   /// m; no edge on which the TCP strays farther than this from the seam half-way between two
   /// waypoints: a joint-space move that swings the torch away from the weld is no way past an
   /// obstacle. Infinity: any.
   double max_stray = 0.02;
   double max_tcp_step = std::numeric_limits<double>::infinity();  ///< m, from waypoint to waypoint
   double max_tcp_turn = std::numeric_limits<double>::infinity();  ///< rad, likewise
-  CollisionChecks collision_checks = CollisionChecks::lazy;
+  CollisionChecks collision_checks = CollisionChecks::lazy;       ///< when clearance is measured
 };
 
 /// Stage 2.

@@ -27,12 +27,12 @@ using Offset = Vector6;
 
 /// Where to look, and for what.
 struct PlacementOptions {
-  Placed placed = Placed::part;
+  Placed placed = Placed::part;  ///< what stands elsewhere
   /// Names of the objects that move with what is placed.
   std::vector<std::string> with;
   /// The region. A coordinate whose bounds are equal has that one value.
   Offset lower = Offset::Zero();
-  Offset upper = Offset::Zero();
+  Offset upper = Offset::Zero();  ///< see lower
 
   // The measure (F81): what is weighed is at most 1 each, but for a speed that can't be held.
   double speed_weight = 1;        ///< of the peak of |joint speed| / limit
@@ -60,7 +60,7 @@ struct PlacementRequest {
   Pose part_frame = Pose::Identity();  ///< of the part, in base, as it is given
   /// The task when the part has been moved by a motion given in the base frame.
   std::function<Task(const Pose& motion)> task_after;
-  PlacementOptions options;
+  PlacementOptions options;  ///< where to look, and for what
 };
 
 /// Reads a problem file with its `placement` section (docs/problem-file.md).
@@ -81,24 +81,25 @@ struct PlacementMeasure {
   std::optional<double> clearance;  ///< m, least, of the pairs that count; nullopt: no pair does
 };
 
+/// A place that was tried.
 struct Placement {
-  Offset offset = Offset::Zero();
-  PlacementMeasure measure;
+  Offset offset = Offset::Zero();  ///< from where the problem has it
+  PlacementMeasure measure;        ///< what it is worth
 };
 
 /// The problem as it is with part, or robot, elsewhere; in the frame of the base where it then is.
 struct PlacedProblem {
-  Problem problem;
-  Pose part_frame = Pose::Identity();  ///< of the part
+  Problem problem;                     ///< to be planned as any other
+  Pose part_frame = Pose::Identity();  ///< of the part, in that base
   Pose motion = Pose::Identity();      ///< of the part and of `moved`: new pose = motion * old pose
   std::vector<std::string> moved;      ///< objects
 };
 
 /// A placement, planned in both modes.
 struct PlacementPlans {
-  PlacedProblem placed;
-  PlanResult graph_only;
-  PlanResult two_stage;
+  PlacedProblem placed;   ///< what was planned
+  PlanResult graph_only;  ///< plan_graph_only() of it
+  PlanResult two_stage;   ///< plan() of it
 };
 
 /// The measure on a grid over two coordinates, the others being those of the placement found.
@@ -108,20 +109,21 @@ struct PlacementMap {
   std::vector<Placement> samples;  ///< the first axis varies fastest
 };
 
+/// What place() gives back.
 struct PlacementResult {
   /// solved: found, planned in full and verified. infeasible: there is none in the region, as far
   /// as was looked. failed: found, but the full plan does not pass its check.
   Status status = Status::failed;
-  Placement given;  ///< offset zero, inside the region or not
-  Placement found;  ///< where infeasible: the one with least missing
-  PlacementPlans before;
-  PlacementPlans after;  ///< only where one was found
-  PlacementMap map;
+  Placement given;                               ///< offset zero, inside the region or not
+  Placement found;                               ///< where infeasible: the one with least missing
+  PlacementPlans before;                         ///< of the placement given
+  PlacementPlans after;                          ///< of the one found, only where there is one
+  PlacementMap map;                              ///< round the placement found
   std::size_t evaluations = 0;                   ///< placements measured
   std::map<std::string, std::size_t> obstacles;  ///< reason -> placements; "" where feasible
-  bool out_of_time = false;
-  double seconds = 0;
-  std::vector<Diagnosis> diagnosis;
+  bool out_of_time = false;                      ///< PlacementOptions::time_limit ended it
+  double seconds = 0;                            ///< it took, by the clock
+  std::vector<Diagnosis> diagnosis;              ///< where not solved: why
 };
 
 /// Looks for the placement with the least measure: NLopt's controlled random search from several

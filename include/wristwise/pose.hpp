@@ -10,6 +10,7 @@ namespace WRISTWISE_PUBLIC wristwise {
 /// A rigid transformation; positions in m.
 using Pose = Eigen::Isometry3d;
 
+/// A value for each coordinate of a deviation: x, y, z (m) and about x, y, z (rad).
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// Order of the three turns about moving axes; the names read R = R_first R_second R_third.

@@ -10,14 +10,16 @@
 
 namespace WRISTWISE_PUBLIC wristwise {
 
+/// Something that the robot must keep clear of: a part, a clamp, a table.
 struct SceneObject {
-  std::string name;
+  std::string name;           ///< unlike that of every other object and link
   std::vector<Shape> shapes;  ///< poses in the frame of `link`
   std::string link = {};      ///< of the robot, to which it is fixed; empty: the base link
   /// Of a mesh cut into convex pieces: m, no point of a shape is farther from the object.
   std::optional<double> convex_error = {};
 };
 
+/// Which pairs of bodies count.
 enum class CollisionScope {
   all,    ///< robot against objects and against itself
   off,    ///< no distance is measured
@@ -26,10 +28,11 @@ enum class CollisionScope {
 
 /// What the robot must keep clear of. An immutable value.
 struct Scene {
+  /// Two links, or a link and an object, in any order.
   using Names = std::pair<std::string, std::string>;
 
-  std::vector<SceneObject> objects;
-  CollisionScope scope = CollisionScope::all;
+  std::vector<SceneObject> objects;            ///< beside the robot's own links
+  CollisionScope scope = CollisionScope::all;  ///< which pairs count
   std::vector<Names> pairs;     ///< of links or objects; used with CollisionScope::pairs
   std::vector<Names> disabled;  ///< never measured (SRDF's disable_collisions)
   /// Find the pairs that are in contact at every sampled posture, and leave them out by name.

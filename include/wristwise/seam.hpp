@@ -22,15 +22,16 @@ class SeamCurve {
 
 /// One piece of the nominal TCP path, run in a given time.
 struct SeamPiece {
+  /// The shape of the piece.
   enum class Kind {
     line,   ///< straight, turning at a constant rate about one axis
     arc,    ///< the first pose turned rigidly about an axis
     move,   ///< to or from a joint waypoint: no path is prescribed between its ends
     curve,  ///< a rounded corner, a run-in or a run-out
   };
-  Kind kind = Kind::line;
-  Pose from = Pose::Identity();
-  Pose to = Pose::Identity();
+  Kind kind = Kind::line;                            ///< says which members below count
+  Pose from = Pose::Identity();                      ///< path frame at the start, in base
+  Pose to = Pose::Identity();                        ///< path frame at the end, in base
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< arc: a point on its axis, base frame, m
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< arc: unit, base frame
   double angle = 0;                                  ///< arc: rad, right-handed
@@ -39,7 +40,7 @@ struct SeamPiece {
   double end_time = 0;                               ///< s
 
   double length() const;                 ///< m, of the TCP's path
-  Pose frame_at(double fraction) const;  ///< fraction of the piece in [0, 1]
+  Pose frame_at(double fraction) const;  ///< path frame in base; fraction of its time, 0 .. 1
 };
 
 /// The nominal TCP path over time, in the base frame. Its pieces are timed by the clock of the
@@ -48,21 +49,23 @@ struct SeamPiece {
 /// same.
 class Seam {
  public:
-  Seam() = default;
+  Seam() = default;  ///< of no pieces, as a place to put one
   /// Pieces in order, each starting when the one before it ends.
   /// @throws InvalidInput for no pieces, gaps in time or values that are not finite.
   explicit Seam(std::vector<SeamPiece> pieces);
 
+  /// In the order in which they are run, at nominal times.
   const std::vector<SeamPiece>& pieces() const { return pieces_; }
   double start_time() const;  ///< s, real
   double end_time() const;    ///< s, real
-  double length() const;      ///< m
+  double length() const;      ///< m, of the TCP's path
 
   /// The same pieces under another time law, in place of the one there was.
   /// @param seam_time one joint: nominal time, s, over real time, s
   /// @throws InvalidInput where it decreases, has more than one joint, or does not run from the
   /// first piece's start to the last one's end (to 1e-9 s).
   Seam retimed(const Trajectory& seam_time) const;
+  /// Whether there is a time law.
   bool is_retimed() const { return !seam_time_.empty(); }
   const Trajectory& seam_time() const { return seam_time_; }  ///< empty: real time is nominal
 
@@ -74,7 +77,7 @@ class Seam {
 
   /// The piece that is run at real time t; at a corner the piece that ends there.
   const SeamPiece& piece_at(double t) const;
-  Pose frame_at(double t) const;  ///< at real time t
+  Pose frame_at(double t) const;  ///< path frame in base, at real time t
 
  private:
   const SeamPiece& piece_at_nominal(double nominal) const;
@@ -101,14 +104,15 @@ enum class SpeedPolicy {
 
 /// What is to be done: the seam, its waypoints and what is allowed between them.
 struct Task {
-  Seam seam;
-  std::vector<Waypoint> waypoints;
-  double between_position = 1e-4;                     ///< m, added to the box between waypoints
+  Seam seam;                        ///< all of it, run-in and run-out included
+  std::vector<Waypoint> waypoints;  ///< two or more, their times strictly increasing
+  double between_position = 1e-4;   ///< m, added to the box between waypoints
   double between_angle = 0.1 * 0.017453292519943295;  ///< rad, added to the box between waypoints
 
-  SpeedPolicy speed_policy = SpeedPolicy::hold;
+  SpeedPolicy speed_policy = SpeedPolicy::hold;  ///< where limits forbid the weld speed
   /// Velocity and acceleration of all joints are zero at the first, at the last waypoint's time.
-  bool rest_at_start = false, rest_at_end = false;
+  bool rest_at_start = false;
+  bool rest_at_end = false;  ///< likewise
 
   double weld_start() const;  ///< s, when the first welding waypoint is passed
   double weld_end() const;    ///< s, when the last one is

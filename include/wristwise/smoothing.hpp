@@ -24,11 +24,11 @@ struct SmoothingOptions {
 
 /// A joint path made into a problem: the TCP path that it draws, to be kept.
 struct SmoothingProblem {
-  Problem problem;
+  Problem problem;  ///< to be handed to smooth() of plan.hpp with `path`
   /// One posture for each waypoint: the path as given, jumps by whole turns undone, with points
   /// added on its moves where its points are far apart.
   JointPath path;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings;  ///< one line each, such as jumps by whole turns
 };
 
 /// The problem of keeping the TCP path that `path`, its points joined by straight joint-space

@@ -13,7 +13,7 @@ struct JointPath {
   std::vector<double> times;           ///< s, strictly increasing
   std::vector<JointVector> positions;  ///< rad or m
 
-  std::size_t size() const { return times.size(); }
+  std::size_t size() const { return times.size(); }  ///< points
 };
 
 /// @throws InvalidInput where the path has fewer than two points, times that do not increase, or
@@ -24,20 +24,27 @@ void validate(const JointPath& path, int joints, const std::string& where);
 /// Twice continuously differentiable; the jerk may jump at the times.
 class Trajectory {
  public:
-  Trajectory() = default;
+  Trajectory() = default;  ///< empty
   /// @throws InvalidInput for fewer than two times, times that do not increase, sizes that differ
   /// or values that are not finite.
   Trajectory(std::vector<double> times, std::vector<JointVector> positions,
              std::vector<JointVector> velocities, std::vector<JointVector> accelerations);
 
+  /// Whether there are no times: nothing below may then be asked for.
   bool empty() const { return times_.empty(); }
+  /// s, strictly increasing; two or more.
   const std::vector<double>& times() const { return times_; }
+  /// rad or m, at the times.
   const std::vector<JointVector>& positions() const { return positions_; }
+  /// rad/s or m/s, at the times.
   const std::vector<JointVector>& velocities() const { return velocities_; }
+  /// rad/s^2 or m/s^2, at the times.
   const std::vector<JointVector>& accelerations() const { return accelerations_; }
+  /// The times and positions alone.
   JointPath waypoints() const { return {times_, positions_}; }
 
-  /// The derivative of the given order (0 to 5) at time t, held at the ends outside.
+  /// The derivative of the given order (0 to 5) at time t (s), in rad or m per s to that power;
+  /// held at the ends outside. At a time between two pieces that of the later one.
   JointVector evaluate(double t, int derivative = 0) const;
 
   /// For each joint, the least and the largest value of q^(k), k = 0 to 3, over the piece

@@ -14,9 +14,9 @@ namespace WRISTWISE_PUBLIC wristwise {
 /// What a trajectory.csv holds: points, a curve where it has velocity and acceleration columns, and
 /// the time law of the seam (s) where it has the columns of that.
 struct TrajectoryFile {
-  JointPath path;
-  std::optional<Trajectory> trajectory;
-  std::optional<Trajectory> seam_time;
+  JointPath path;                        ///< the rows
+  std::optional<Trajectory> trajectory;  ///< the curve through them
+  std::optional<Trajectory> seam_time;   ///< one joint: nominal time over real time, s
 };
 
 /// What a file says about the seam, beside the joints.
@@ -27,7 +27,7 @@ class SeamColumns {
   /// `seam_time_velocity` and `seam_time_acceleration` (s, 1, 1/s) where its seam is retimed.
   explicit SeamColumns(const Task& task);
 
-  std::vector<std::string> names() const;
+  std::vector<std::string> names() const;      ///< of the columns; none: nothing is said
   std::vector<double> values(double t) const;  ///< at time t (s)
 
  private:
@@ -43,10 +43,12 @@ class SeamColumns {
 TrajectoryFile read_trajectory(const std::filesystem::path& file,
                                const std::vector<std::string>& joint_names);
 
-/// Write CSV with as many digits as give the same double back; the file appears whole or not at
-/// all.
+/// Writes points as CSV with as many digits as give the same double back; the file appears whole or
+/// not at all. @throws InvalidInput where its folder does not exist; std::runtime_error where it
+/// can't be written
 void write_path(const std::filesystem::path& file, const std::vector<std::string>& joint_names,
                 const JointPath& path, const SeamColumns& seam = {});
+/// As write_path, with a velocity and an acceleration column for each joint.
 void write_trajectory(const std::filesystem::path& file,
                       const std::vector<std::string>& joint_names, const Trajectory& trajectory,
                       const SeamColumns& seam = {});

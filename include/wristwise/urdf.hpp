@@ -11,8 +11,9 @@
 
 namespace WRISTWISE_PUBLIC wristwise {
 
+/// Which files describe a robot, and which of its links are the ends of the chain.
 struct RobotSource {
-  std::filesystem::path urdf;
+  std::filesystem::path urdf;    ///< the description, xacro already expanded
   std::string base_link;         ///< stands still; empty: the root of the tree
   std::string tip_link;          ///< empty: the leaf with the longest chain of movable joints
   Pose tool = Pose::Identity();  ///< TCP in tip_link
@@ -26,6 +27,9 @@ struct RobotSource {
   std::string part_link;  ///< carries the part: the chain runs from it to the tip; empty: base_link
   bool visual_as_collision = false;  ///< links without collision shapes take their visual ones
   MeshOptions meshes;                ///< how the links' meshes are read
+  /// The description itself, if not empty. `urdf` is then not read: it is the text's name in
+  /// messages (empty: "urdf_text"), and mesh files are relative to its folder.
+  std::string urdf_text = {};
 };
 
 /// Reads a serial chain from a URDF, see Robot. Joints above the base link and off the chain are
@@ -36,10 +40,12 @@ struct RobotSource {
 /// continuous, prismatic or fixed on the chain, a mesh that cannot be read.
 Robot load_robot(const RobotSource& source);
 
+/// Two links of the robot, in the order of the SRDF.
 using LinkNames = std::pair<std::string, std::string>;
 
 /// The pairs of the robot's links that an SRDF says need no check: disable_collisions,
 /// disable_default_collisions less enable_collisions.
+/// @throws InvalidInput where the file is missing or no SRDF
 std::vector<LinkNames> load_disabled_collisions(const std::filesystem::path& srdf,
                                                 const Robot& robot);
 

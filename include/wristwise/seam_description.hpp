@@ -5,14 +5,16 @@
 #include <variant>
 #include <vector>
 
-#include "task/corner_options.hpp"
+#include "wristwise/corner_options.hpp"
 #include "wristwise/robot.hpp"
 #include "wristwise/seam.hpp"
+#include "wristwise/visibility.hpp"
 
-namespace wristwise {
+namespace WRISTWISE_PUBLIC wristwise {
 
-// Poses are in the base frame. `where` names the input in messages.
+// Poses are in the base frame. `where` names the input in messages; empty: by its number.
 
+/// Straight, turning at a constant rate about one axis.
 struct LineSegment {
   Pose from, to;
 };
@@ -26,19 +28,20 @@ struct ArcSegment {
 /// Poses joined by lines.
 struct PoseListSegment {
   std::vector<Pose> poses;
-  std::vector<double> times;       ///< s, increasing; empty: by the speed
-  std::vector<std::string> where;  ///< one per pose
+  std::vector<double> times = {};       ///< s, increasing; empty: by the speed
+  std::vector<std::string> where = {};  ///< one per pose, or none
 };
 /// Joint waypoints, cut to the joint limits; moves between them are timed by the nominal postures.
 struct JointListSegment {
   std::vector<JointBox> postures;
-  std::vector<std::string> where;  ///< one per posture
+  std::vector<std::string> where = {};  ///< one per posture, or none
 };
 
+/// A part of the seam. Each begins where the one before it ends.
 struct Segment {
   std::variant<LineSegment, ArcSegment, PoseListSegment, JointListSegment> shape;
-  ToleranceBox tolerance;
-  std::string where;
+  ToleranceBox tolerance = {};
+  std::string where = {};
 };
 
 /// Between rest and the weld speed, before or after the seam. Either straight on along its tangent
@@ -47,14 +50,14 @@ struct RunDescription {
   double length = 0;                      ///< m
   std::optional<Eigen::Vector3d> away{};  ///< m, in the path frame of the seam's end
   std::optional<double> duration{};       ///< s, with `away`; else twice the time at weld speed
-  std::string where;
+  std::string where = {};
 };
 
-/// The seam as the user describes it.
+/// A seam as a welder describes it; what `path` of a problem file says.
 struct SeamDescription {
   std::vector<Segment> segments;
-  std::optional<double> speed;    ///< m/s
-  std::optional<double> spacing;  ///< m, the longest interval between waypoints
+  std::optional<double> speed;    ///< m/s; needed where not every pose has a time
+  std::optional<double> spacing;  ///< m, the longest interval between waypoints; or:
   std::optional<int> waypoints;   ///< of the whole seam, without run-in and run-out
   CornerOptions corners;
   std::optional<RunDescription> run_in, run_out;
@@ -64,7 +67,8 @@ struct SeamDescription {
 /// Joins the segments, treats their corners, gives them their times, cuts them into waypoints and
 /// adds run-in and run-out.
 /// @throws InvalidInput naming the segment: nothing to join, gaps, repeated waypoints, no speed,
-/// corners that can't be treated as is asked for, a run-in to a joint waypoint.
+/// values that are not finite, lists of different sizes, a tolerance that is none, corners that
+/// can't be treated as is asked for, a run-in to a joint waypoint.
 Task build_task(const Robot& robot, const SeamDescription& description);
 
 }  // namespace wristwise

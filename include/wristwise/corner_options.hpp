@@ -1,6 +1,8 @@
 #pragma once
 
-namespace wristwise {
+#include "wristwise/visibility.hpp"
+
+namespace WRISTWISE_PUBLIC wristwise {
 
 /// What becomes of the corners of a seam.
 struct CornerOptions {
