@@ -1,16 +1,10 @@
-#include <unistd.h>
-
 #include "app/commands.hpp"
 #include "app/exports.hpp"
-#include "app/next_steps.hpp"
-#include "app/output.hpp"
 #include "app/output_folder.hpp"
-#include "app/pictures.hpp"
 #include "app/planning_run.hpp"
 #include "app/required_file.hpp"
-#include "app/summary.hpp"
+#include "app/run_output.hpp"
 #include "io/result_file.hpp"
-#include "report/report.hpp"
 
 namespace wristwise::app {
 
@@ -27,13 +21,7 @@ int run_plan(const PlanCommand& command, const Settings& settings) {
   const PlanningRun run = graph_only
                               ? run_planner(load, Mode::graph_only, plan_graph_only, settings)
                               : run_planner(load, Mode::two_stage, plan, settings);
-  write_result(folder, run.result, run.problem);
-  if (!command.no_report) write_report(folder, {run.problem, run.result, nullptr, run.inputs});
-  const Paint paint(settings.colour, STDOUT_FILENO);
-  print(summary(run.result, run.problem, paint) +
-        write_exports(formats, folder, run.result, run.problem) +
-        write_pictures(command.plot, folder, run.problem, run.result) +
-        next_steps(run.result, {command.problem, folder, !command.no_report}, paint));
+  leave_output(run, {folder, command.problem, formats, !command.no_report, command.plot}, settings);
   return run.exit_code;
 }
 

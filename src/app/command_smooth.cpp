@@ -1,20 +1,13 @@
-#include <unistd.h>
-
 #include <optional>
 
 #include "app/commands.hpp"
 #include "app/exports.hpp"
-#include "app/next_steps.hpp"
-#include "app/output.hpp"
 #include "app/output_folder.hpp"
-#include "app/pictures.hpp"
 #include "app/planning_run.hpp"
 #include "app/required_file.hpp"
-#include "app/summary.hpp"
+#include "app/run_output.hpp"
 #include "io/quantity.hpp"
-#include "io/result_file.hpp"
 #include "kinematics/robot_files.hpp"
-#include "report/report.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/program_file.hpp"
 #include "wristwise/smoothing.hpp"
@@ -128,13 +121,7 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
     return result;
   };
   const PlanningRun run = run_planner(load, Mode::smooth, repair, settings);
-  write_result(folder, run.result, run.problem);
-  if (!command.no_report) write_report(folder, {run.problem, run.result, nullptr, run.inputs});
-  const Paint paint(settings.colour, STDOUT_FILENO);
-  print(summary(run.result, run.problem, paint) +
-        write_exports(formats, folder, run.result, run.problem) +
-        write_pictures(command.plot, folder, run.problem, run.result) +
-        next_steps(run.result, {command.problem, folder, !command.no_report}, paint));
+  leave_output(run, {folder, command.problem, formats, !command.no_report, command.plot}, settings);
   return run.exit_code;
 }
 
