@@ -157,13 +157,53 @@ TEST(SingularityCost, Jacobian) {
   std::mt19937 random(10);
   const auto robot = kr5::load();
   for (const JointVector& q : kr5_postures(*robot, random)) {
-    const SingularityPoint point{kTime, SplineBasis(kBreakpoints).at(kTime), 1.7};
+    const PosturePoint point{kTime, SplineBasis(kBreakpoints).at(kTime), 1.7};
     const std::unique_ptr<ceres::CostFunction> cost(singularity_cost(*robot, point));
     // The KR 5's axes 4 and 6 line up where joint 5 is zero.
     EXPECT_NEAR(residuals_at(*cost, control_about(q, 0, random))[0],
                 1.7 * std::pow(std::cos(q[4]), 4), 1e-12);
     expect_jacobian(*cost, control_about(q, 0, random));
     expect_jacobian(*cost, control_about(q, 0.1, random));
+  }
+}
+
+/// The caller's: one that sees the time, one that sees the TCP; each with its gradient by hand.
+std::vector<PostureResidual> two_residuals(const std::shared_ptr<const Robot>& robot) {
+  return {[](double t, const JointVector& q, JointVector* gradient) {
+            if (gradient != nullptr) *gradient = (2 * q).array() * std::cos(t);
+            return q.squaredNorm() * std::cos(t) - 1;
+          },
+          [robot](double, const JointVector& q, JointVector* gradient) {
+            ChainPose chain;
+            forward_kinematics(*robot, q, chain);
+            if (gradient != nullptr) *gradient = geometric_jacobian(*robot, chain).row(2);
+            return chain.tcp.translation().z();
+          }};
+}
+
+TEST(OwnCost, Jacobian) {
+  std::mt19937 random(11);
+  const auto robot = kr5::load();
+  ObjectiveWeights weights = objective_weights({}, 0.7, 6);
+  weights.own = two_residuals(robot);
+  for (const JointVector& q : kr5_postures(*robot, random)) {
+    const PosturePoint point{kTime, SplineBasis(kBreakpoints).at(kTime), 1.7};
+    const std::unique_ptr<ceres::CostFunction> cost(own_cost(weights, point));
+    const Eigen::VectorXd residuals = residuals_at(*cost, control_about(q, 0, random));
+    EXPECT_NEAR(residuals[0], 1.7 * (q.squaredNorm() * std::cos(kTime) - 1), 1e-11);
+    EXPECT_NEAR(residuals[1], 1.7 * kr5::torch_tip(q, 0.3)(2, 3), 1e-12);
+    expect_jacobian(*cost, control_about(q, 0, random));
+    expect_jacobian(*cost, control_about(q, 0.1, random));
+  }
+  // Where a value is zero, and next to it.
+  for (const double near : {0.0, 1e-8}) {
+    weights.own = {[](double, const JointVector& q, JointVector* gradient) {
+      if (gradient != nullptr) *gradient = JointVector::Unit(6, 3);
+      return q[3];
+    }};
+    const PosturePoint point{kTime, SplineBasis(kBreakpoints).at(kTime), 1.7};
+    const std::unique_ptr<ceres::CostFunction> cost(own_cost(weights, point));
+    expect_jacobian(*cost, control_about(JointVector::Constant(6, near), 0, random));
   }
 }
 

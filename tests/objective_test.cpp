@@ -250,5 +250,37 @@ TEST(DeviationPoints, AreQuadratureOfTheStretchesWithAPrescribedPath) {
   EXPECT_TRUE(deviation_points(objective_weights({}, kTau, 4), task, SplineBasis({0, 4})).empty());
 }
 
+/// Of the caller's residuals: a dense integral over a curve, the trapezoidal rule over points.
+TEST(ObjectiveTerms, OfTheCallersResiduals) {
+  const std::vector<double> breakpoints = {0, 0.3, 1, 2};
+  const Robot robot(gantry::parts());
+  const Task task = gantry::task({{0, 0, 0}, {1, 0, 0}}, 2, 4, gantry::box(1, 1));
+  CostOptions cost;
+  cost.posture_residuals = {
+      [](double t, const JointVector& q, JointVector*) { return 3 * t * q[1]; },
+      [](double, const JointVector& q, JointVector*) { return q[0] - q[3]; }};
+  const auto density = [](double t, const JointVector& q) {
+    return 9 * t * t * q[1] * q[1] + (q[0] - q[3]) * (q[0] - q[3]);
+  };
+  const ObjectiveWeights weights = objective_weights(cost, kTau, 4);
+  const Spline spline = random_spline(breakpoints, 4, 7);
+  const ObjectiveTerms curve = objective_terms(weights, robot, task, spline);
+  const double dense =
+      integral(breakpoints, [&](double t) { return density(t, spline.evaluate(t)); });
+  EXPECT_GT(dense, 0);
+  EXPECT_NEAR(curve.own, dense, 1e-3 * dense);
+  EXPECT_NEAR(curve.total(), curve.joint_motion + curve.acceleration + curve.jerk + curve.own,
+              1e-12 * curve.total());
+
+  const JointPath path{
+      {0, 0.5, 1, 1.5, 2},
+      {gantry::posture(0, 1, 2, 3), gantry::posture(1, -1, 0, 0), gantry::posture(0, 0.5, 0, 0),
+       gantry::posture(2, 0, 0, 1), gantry::posture(0, 1, 0, 0)}};
+  double sum = 0;
+  for (std::size_t i = 0; i < 5; ++i)
+    sum += (i == 0 || i == 4 ? 0.25 : 0.5) * density(path.times[i], path.positions[i]);
+  EXPECT_NEAR(objective_terms(weights, robot, task, path).own, sum, 1e-12);
+}
+
 }  // namespace
 }  // namespace wristwise

@@ -20,14 +20,13 @@ struct ProgramRun {
   std::string out, err;
 };
 
-/// Runs the real program in `folder`; sends it a signal after a while where `signal_after` is set.
-inline ProgramRun run_program(const std::filesystem::path& folder,
-                              const std::vector<std::string>& arguments,
-                              std::chrono::milliseconds signal_after = std::chrono::milliseconds(0),
-                              int signal_number = 0) {
+/// Runs a program in `folder`; sends it a signal after a while where `signal_after` is set.
+inline ProgramRun run_executable(
+    std::string program, const std::filesystem::path& folder,
+    const std::vector<std::string>& arguments,
+    std::chrono::milliseconds signal_after = std::chrono::milliseconds(0), int signal_number = 0) {
   const std::string out_file = folder / "stdout.txt", err_file = folder / "stderr.txt";
   std::vector<char*> argv;
-  std::string program = WRISTWISE_PROGRAM;
   argv.push_back(program.data());
   std::vector<std::string> copies = arguments;
   for (std::string& argument : copies) argv.push_back(argument.data());
@@ -55,6 +54,14 @@ inline ProgramRun run_program(const std::filesystem::path& folder,
   std::filesystem::remove(out_file);
   std::filesystem::remove(err_file);
   return run;
+}
+
+/// The same with wristwise.
+inline ProgramRun run_program(const std::filesystem::path& folder,
+                              const std::vector<std::string>& arguments,
+                              std::chrono::milliseconds signal_after = std::chrono::milliseconds(0),
+                              int signal_number = 0) {
+  return run_executable(WRISTWISE_PROGRAM, folder, arguments, signal_after, signal_number);
 }
 
 }  // namespace wristwise::test

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "task/seam_builder.hpp"
 #include "wristwise/robot.hpp"
+#include "wristwise/seam_description.hpp"
 
 // Seams to build in tests.
 namespace wristwise::test {

@@ -8,8 +8,8 @@
 
 #include "invalid_input.hpp"
 #include "seam_samples.hpp"
-#include "task/seam_builder.hpp"
 #include "wristwise/robot.hpp"
+#include "wristwise/seam_description.hpp"
 
 namespace wristwise {
 namespace {

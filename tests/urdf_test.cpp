@@ -127,6 +127,33 @@ TEST(LoadRobot, FoldsFixedJointsFromTheRootOn) {
   EXPECT_EQ(robot.jerk_limits(), JointVector::Constant(3, kInfinity));
 }
 
+TEST(LoadRobot, FromAText) {
+  const TemporaryFolder folder;
+  const Robot of_file = load(folder);
+  RobotSource source;
+  source.urdf_text = kUrdf;
+  source.tip_link = "tip";
+  const Robot robot = load_robot(source);
+  EXPECT_EQ(robot.name(), of_file.name());
+  EXPECT_EQ(robot.joint_names(), (std::vector<std::string>{"slide", "swing", "spin"}));
+  EXPECT_EQ(robot.joint_names(), of_file.joint_names());
+  EXPECT_EQ(robot.links().size(), of_file.links().size());
+  EXPECT_EQ(robot.upper_limits(), of_file.upper_limits());
+  for (std::size_t j = 0; j < robot.joints().size(); ++j)
+    EXPECT_EQ(robot.joints()[j].origin.matrix(), of_file.joints()[j].origin.matrix());
+
+  // Errors name the text; a name may be given, and need not be a file.
+  source.urdf_text = "<robot name='x'>\n<link";
+  EXPECT_TRUE(says(invalid_input([&] { load_robot(source); }), "urdf_text:2: not valid XML"));
+  source.urdf = "/robot_description";
+  EXPECT_TRUE(says(invalid_input([&] { load_robot(source); }), "/robot_description:2:"));
+  source.urdf_text = "<link/>";
+  EXPECT_TRUE(says(invalid_input([&] { load_robot(source); }), "no <robot> element"));
+  source.urdf_text = kUrdf;
+  source.tip_link = "tap";
+  EXPECT_TRUE(says(invalid_input([&] { load_robot(source); }), "/robot_description: "));
+}
+
 TEST(LoadRobot, FindsTheTipWithTheMostMovableJoints) {
   const TemporaryFolder folder;
   const auto tip_of = [&](const std::string& urdf) {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "gantry.hpp"
-#include "task/seam_builder.hpp"
+#include "wristwise/seam_description.hpp"
 #include "wristwise/verification.hpp"
 
 namespace wristwise {

@@ -17,6 +17,14 @@ enum class SingularityMeasure {
   manipulability,  ///< Yoshikawa's measure, relative to the largest found in the robot's workspace
 };
 
+/// A cost of the caller's own in stage 2: a function r(t, q) of the time (s) and the posture,
+/// rad/s, whose square is integrated over time beside |q'|^2. Differentiable by q; it may be
+/// negative, and should pass zero rather than touch it, so that it is smooth where it vanishes.
+/// Where `gradient` is not null it is to be set to d r / d q, one value per joint. Called from
+/// several threads.
+using PostureResidual =
+    std::function<double(double time, const JointVector& q, JointVector* gradient)>;
+
 /// What is minimised, in both stages.
 struct CostOptions {
   double joint_motion = 1;       ///< weight of |q'|^2 (stage 2) and of the L1 step (stage 1)
@@ -43,6 +51,7 @@ struct CostOptions {
   /// See vertex_cost.
   std::function<double(std::size_t interval, const JointVector& from, const JointVector& to)>
       edge_cost;
+  std::vector<PostureResidual> posture_residuals;  ///< stage 2: each adds the integral of r^2 (F14)
   std::vector<double>
       joint_weights;  ///< one per joint, of its step or its derivatives; empty: ones
 };

@@ -92,11 +92,12 @@ class Robot {
   /// @copydoc Parts::warnings
   const std::vector<std::string>& warnings() const { return parts_.warnings; }
 
-  JointVector lower_limits() const;         ///< rad or m; -infinity for continuous joints
-  JointVector upper_limits() const;         ///< rad or m; +infinity for continuous joints
-  JointVector velocity_limits() const;      ///< rad/s or m/s, of either sign
-  JointVector acceleration_limits() const;  ///< rad/s^2 or m/s^2; infinity where there is none
-  JointVector jerk_limits() const;          ///< rad/s^3 or m/s^3; infinity where there is none
+  std::vector<std::string> joint_names() const;  ///< in chain order
+  JointVector lower_limits() const;              ///< rad or m; -infinity for continuous joints
+  JointVector upper_limits() const;              ///< rad or m; +infinity for continuous joints
+  JointVector velocity_limits() const;           ///< rad/s or m/s, of either sign
+  JointVector acceleration_limits() const;       ///< rad/s^2 or m/s^2; infinity where there is none
+  JointVector jerk_limits() const;               ///< rad/s^3 or m/s^3; infinity where there is none
 
  private:
   Parts parts_;

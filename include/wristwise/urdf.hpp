@@ -27,6 +27,9 @@ struct RobotSource {
   std::string part_link;  ///< carries the part: the chain runs from it to the tip; empty: base_link
   bool visual_as_collision = false;  ///< links without collision shapes take their visual ones
   MeshOptions meshes;                ///< how the links' meshes are read
+  /// The description itself, if not empty. `urdf` is then not read: it is the text's name in
+  /// messages (empty: "urdf_text"), and mesh files are relative to its folder.
+  std::string urdf_text = {};
 };
 
 /// Reads a serial chain from a URDF, see Robot. Joints above the base link and off the chain are

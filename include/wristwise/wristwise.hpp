@@ -20,12 +20,13 @@
 /// InvalidInput; no solution is a result with a diagnosis. The library never prints, and its
 /// results do not depend on the number of threads.
 ///
-/// @include plan_a_seam.cpp
+/// @include 01_plan_a_seam.cpp
 
 /// Everything of the library is in this namespace.
 namespace wristwise {}
 
 #include "wristwise/clearance.hpp"
+#include "wristwise/corner_options.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/export_options.hpp"
 #include "wristwise/geometry.hpp"
@@ -47,6 +48,7 @@ namespace wristwise {}
 #include "wristwise/robot_program.hpp"
 #include "wristwise/scene.hpp"
 #include "wristwise/seam.hpp"
+#include "wristwise/seam_description.hpp"
 #include "wristwise/smoothing.hpp"
 #include "wristwise/swept_clearance.hpp"
 #include "wristwise/tolerance.hpp"

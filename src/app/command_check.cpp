@@ -4,7 +4,6 @@
 #include "app/console.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
-#include "app/joint_names.hpp"
 #include "app/verification_table.hpp"
 #include "io/result_file.hpp"
 #include "wristwise/trajectory_file.hpp"
@@ -13,7 +12,7 @@ namespace wristwise::app {
 
 int run_check(const CheckCommand& command, const Settings& settings) {
   const Problem problem = load_problem(command.problem, load_options(settings));
-  const TrajectoryFile file = read_trajectory(command.trajectory, joint_names(*problem.robot));
+  const TrajectoryFile file = read_trajectory(command.trajectory, problem.robot->joint_names());
   Verification verification;
   {
     Console console(settings);

@@ -11,12 +11,6 @@ namespace wristwise {
 
 namespace {
 
-std::vector<std::string> joint_names(const Robot& robot) {
-  std::vector<std::string> names;
-  for (const Joint& joint : robot.joints()) names.push_back(joint.name);
-  return names;
-}
-
 /// s: of the joint that needs longest for its step at the given shares (percent) of its limit.
 double slowest_joint(const Robot& robot, const JointVector& step, const JointVector& percent) {
   double time = 0;
@@ -78,7 +72,7 @@ JointPath read_program(const std::filesystem::path& file, const Robot& robot,
                        const ExportOptions& options, double start_time) {
   JointPath path = is_program(file) ? timed(read_moves(file, options.ls.j3_coupling), robot,
                                             ControllerAxes(robot, options.axes), file.string())
-                                    : read_ros_message(file, joint_names(robot));
+                                    : read_ros_message(file, robot.joint_names());
   for (double& time : path.times) time += start_time;
   return path;
 }
@@ -89,7 +83,7 @@ JointPath read_joint_path(const std::filesystem::path& file, const Robot& robot,
                           const ExportOptions& options, double start_time) {
   if (is_program(file) || is_ros_message(file))
     return read_program(file, robot, options, start_time);
-  return read_trajectory(file, joint_names(robot)).path;
+  return read_trajectory(file, robot.joint_names()).path;
 }
 
 }  // namespace wristwise

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "io/config_reader.hpp"
-#include "task/seam_builder.hpp"
 #include "wristwise/export_options.hpp"
+#include "wristwise/seam_description.hpp"
 
 namespace wristwise {
 

@@ -14,17 +14,11 @@ void read_weight(const ConfigReader& reader, const std::string& key, double& wei
   if (const auto value = reader.find(key)) weight = value->not_negative(Quantity::number);
 }
 
-std::vector<std::string> joint_names(const Robot& robot) {
-  std::vector<std::string> names;
-  for (const Joint& joint : robot.joints()) names.push_back(joint.name);
-  return names;
-}
-
 /// By name, those left out being 1; or a list.
 std::vector<double> read_joint_weights(const ConfigReader& reader, const Robot& robot) {
   const auto count = static_cast<std::size_t>(robot.joint_count());
   if (reader.is_map()) {
-    reader.expect_keys(joint_names(robot));
+    reader.expect_keys(robot.joint_names());
     std::vector<double> weights(count, 1);
     for (std::size_t j = 0; j < count; ++j)
       if (const auto weight = reader.find(robot.joints()[j].name))
@@ -84,7 +78,7 @@ void read_samples(const ConfigReader& reader, const Robot& robot, GraphOptions& 
   std::vector<std::string> keys = coordinate_keys();
   keys.emplace_back("joints");
   const std::vector<std::string> of_tolerance = keys;
-  for (const std::string& joint : joint_names(robot)) keys.push_back(joint);
+  for (const std::string& joint : robot.joint_names()) keys.push_back(joint);
   reader.expect_keys(keys);
   for (int i = 0; i < 6; ++i)
     if (const auto value = find_coordinate(reader, i))

@@ -32,11 +32,9 @@ Json timing(const Timing& timing) {
           {"verify", json::number(timing.verify)}, {"total", json::number(timing.total)}};
 }
 
+/// None where the run ended before there was a robot.
 std::vector<std::string> joint_names(const Problem& problem) {
-  std::vector<std::string> joints;
-  if (!problem.robot) return joints;
-  for (const Joint& joint : problem.robot->joints()) joints.push_back(joint.name);
-  return joints;
+  return problem.robot ? problem.robot->joint_names() : std::vector<std::string>();
 }
 
 std::string printed(const Json& json) {

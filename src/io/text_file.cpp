@@ -22,7 +22,21 @@ std::string read_text(const std::filesystem::path& file) {
   return text;
 }
 
+namespace {
+
+void require_place_for(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder, error))
+    throw InvalidInput(file.string(), "no such folder", "a folder that exists");
+  if (std::filesystem::is_directory(file, error))
+    throw InvalidInput(file.string(), "is a folder", "a file");
+}
+
+}  // namespace
+
 void write_text(const std::filesystem::path& file, const std::string& text) {
+  require_place_for(file);
   std::filesystem::path draft = file;
   draft += "." + std::to_string(getpid()) + ".tmp";
   {

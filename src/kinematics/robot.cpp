@@ -111,6 +111,12 @@ const Link* Robot::find_link(const std::string& name) const {
   return found == parts_.links.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> Robot::joint_names() const {
+  std::vector<std::string> names;
+  for (const Joint& joint : joints()) names.push_back(joint.name);
+  return names;
+}
+
 JointVector Robot::lower_limits() const { return gather(parts_.joints, &Joint::lower); }
 JointVector Robot::upper_limits() const { return gather(parts_.joints, &Joint::upper); }
 JointVector Robot::velocity_limits() const { return gather(parts_.joints, &Joint::max_velocity); }

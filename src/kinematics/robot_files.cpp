@@ -12,7 +12,7 @@ namespace wristwise {
 namespace {
 
 std::vector<std::filesystem::path> mesh_files(const RobotSource& source) {
-  const UrdfDocument document = read_urdf(source.urdf, source.visual_as_collision);
+  const UrdfDocument document = read_urdf(source);
   const MeshFolders folders{source.urdf.parent_path(), source.packages};
   std::vector<std::filesystem::path> files;
   for (const auto& [name, link] : document.model->links_)
@@ -21,7 +21,7 @@ std::vector<std::filesystem::path> mesh_files(const RobotSource& source) {
       if (collision->geometry->type != urdf::Geometry::MESH) continue;
       const auto& mesh = static_cast<const urdf::Mesh&>(*collision->geometry);
       try {
-        files.push_back(resolve_mesh(mesh.filename, folders, source.urdf.string()));
+        files.push_back(resolve_mesh(mesh.filename, folders, urdf_name(source)));
       } catch (const InvalidInput&) {
         continue;  // of a link outside the robot, or load_robot would have said so
       }
@@ -32,7 +32,8 @@ std::vector<std::filesystem::path> mesh_files(const RobotSource& source) {
 }  // namespace
 
 std::vector<std::filesystem::path> robot_files(const RobotSource& source) {
-  std::vector<std::filesystem::path> files = {source.urdf};
+  std::vector<std::filesystem::path> files;
+  if (source.urdf_text.empty()) files.push_back(source.urdf);
   for (const std::filesystem::path& file : {source.limits, source.srdf})
     if (!file.empty()) files.push_back(file);
   if (!source.read_collision_shapes) return files;

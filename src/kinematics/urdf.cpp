@@ -28,8 +28,8 @@ class ChainReader {
  public:
   explicit ChainReader(const RobotSource& source)
       : source_(source),
-        where_(source.urdf.string()),
-        document_(read_urdf(source.urdf, source.visual_as_collision)),
+        where_(urdf_name(source)),
+        document_(read_urdf(source)),
         mesh_folders_{source.urdf.parent_path(), source.packages} {
     parts_.warnings = document_.warnings;
     if (!source.srdf.empty()) read_semantics();

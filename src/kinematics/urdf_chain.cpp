@@ -92,7 +92,7 @@ void refuse_shared_joint(const LinkChain& chain, const std::string& where) {
 }  // namespace
 
 LinkChain find_chain(const urdf::ModelInterface& model, const RobotSource& source) {
-  const std::string where = source.urdf.string();
+  const std::string where = urdf_name(source);
   LinkChain chain;
   chain.base =
       source.base_link.empty() ? model.getRoot() : find_link(model, source.base_link, where);

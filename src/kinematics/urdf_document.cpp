@@ -48,13 +48,19 @@ class ParserLog : public console_bridge::OutputHandler {
   std::vector<std::string> messages_;
 };
 
-void load_xml(TiXmlDocument& document, const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw InvalidInput(file.string(), "no such file", "a URDF file");
+void load_xml(TiXmlDocument& document, const RobotSource& source) {
+  const std::string where = urdf_name(source);
+  if (source.urdf_text.empty()) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(source.urdf, error)) {
+      throw InvalidInput(where, "no such file", "a URDF file");
+    }
+    document.LoadFile(where);
+  } else {
+    document.Parse(source.urdf_text.c_str());
   }
-  if (document.LoadFile(file.string())) return;
-  throw InvalidInput(file.string() + ":" + std::to_string(document.ErrorRow()),
+  if (!document.Error()) return;
+  throw InvalidInput(where + ":" + std::to_string(document.ErrorRow()),
                      std::string("not valid XML: ") + document.ErrorDesc(), "a URDF file");
 }
 
@@ -122,21 +128,26 @@ void require_all_collisions(const TiXmlElement& robot, const urdf::ModelInterfac
 
 }  // namespace
 
-UrdfDocument read_urdf(const std::filesystem::path& file, bool visual_as_collision) {
-  TiXmlDocument document;
-  load_xml(document, file);
-  TiXmlElement* robot = document.FirstChildElement("robot");
-  if (robot == nullptr) throw InvalidInput(file.string(), "no <robot> element", "a URDF file");
+std::string urdf_name(const RobotSource& source) {
+  return source.urdf.empty() && !source.urdf_text.empty() ? "urdf_text" : source.urdf.string();
+}
 
-  require_expanded_tree(*robot, file.string());
+UrdfDocument read_urdf(const RobotSource& source) {
+  TiXmlDocument document;
+  load_xml(document, source);
+  const std::string where = urdf_name(source);
+  TiXmlElement* robot = document.FirstChildElement("robot");
+  if (robot == nullptr) throw InvalidInput(where, "no <robot> element", "a URDF file");
+
+  require_expanded_tree(*robot, where);
   UrdfDocument result;
-  result.only_visual = clean_urdf(*robot, visual_as_collision);
+  result.only_visual = clean_urdf(*robot, source.visual_as_collision);
   result.declared = complete_all_limits(*robot);
   TiXmlPrinter printer;
   document.Accept(&printer);
   const ParserLog log;
-  result.model = parse(printer.Str(), log, file.string());
-  require_all_collisions(*robot, *result.model, log, file.string());
+  result.model = parse(printer.Str(), log, where);
+  require_all_collisions(*robot, *result.model, log, where);
   result.warnings = log.messages();
   return result;
 }

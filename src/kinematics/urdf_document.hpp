@@ -3,10 +3,11 @@
 #include <urdf_model/types.h>
 #include <urdf_world/types.h>
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "wristwise/urdf.hpp"
 
 namespace wristwise {
 
@@ -23,9 +24,11 @@ struct UrdfDocument {
   std::vector<std::string> warnings;     ///< of the parser
 };
 
-/// Reads a URDF with urdfdom. Joints may lack limits: `declared` tells.
-/// @param visual_as_collision links without a collision element take their visual ones
+/// What the description is called in messages.
+std::string urdf_name(const RobotSource& source);
+
+/// Reads a URDF, from its file or its text, with urdfdom. Joints may lack limits: `declared` tells.
 /// @throws InvalidInput with the parser's own words.
-UrdfDocument read_urdf(const std::filesystem::path& file, bool visual_as_collision = false);
+UrdfDocument read_urdf(const RobotSource& source);
 
 }  // namespace wristwise

@@ -24,6 +24,7 @@ independent check has passed: a ladder graph searches the route, a continuous
 optimisation irons it out. Writes CSV, JSON, a report for a browser, and
 robot programs. With robots and problems to start from.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/debian/prerm)
 
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "planner for arc-welding robots (shared library)
 Turns a weld seam into a smooth, collision-free joint trajectory that an

@@ -112,6 +112,7 @@ void AugmentedLagrangian::use_breakpoints(std::vector<double> breakpoints) {
   objective_rows_ = objective_rows(weights_, spline_.basis);
   deviation_points_ = deviation_points(weights_, input_.task, spline_.basis);
   singularity_points_ = singularity_points(weights_, spline_.basis);
+  own_points_ = own_points(weights_, spline_.basis);
   limits_ = limit_constraints(input_.robot, spline_.basis);
   for (PointConstraint& point : points_) point.basis = spline_.basis.at(point.time);
   if (places_.mu > kGrowth * kGrowth * places_.useful_mu)
@@ -177,6 +178,7 @@ bool AugmentedLagrangian::minimise_once(double function_tolerance, const Stop& s
                                  objective_rows_,
                                  deviation_points_,
                                  singularity_points_,
+                                 own_points_,
                                  points_,
                                  limits_,
                                  places_.mu,

@@ -113,7 +113,7 @@ class AugmentedLagrangian {
   std::vector<LimitConstraint> limits_;
   std::vector<ObjectiveRow> objective_rows_;
   std::vector<DeviationPoint> deviation_points_;
-  std::vector<SingularityPoint> singularity_points_;
+  std::vector<PosturePoint> singularity_points_, own_points_;
   std::vector<PointValues> values_;
   double trust_region_ = 0;  ///< radius at the end of the last round
   int rounds_ = 0, iterations_ = 0, evaluations_ = 0;

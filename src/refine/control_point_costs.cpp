@@ -76,7 +76,7 @@ class ObjectiveCost final : public ControlPointCost {
 
 class SingularityCost final : public ControlPointCost {
  public:
-  SingularityCost(const Robot& robot, const SingularityPoint& point)
+  SingularityCost(const Robot& robot, const PosturePoint& point)
       : ControlPointCost(robot.joint_count(), SplineBasis::kLocal, 1),
         robot_(robot),
         point_(point) {}
@@ -96,7 +96,35 @@ class SingularityCost final : public ControlPointCost {
 
  private:
   const Robot& robot_;
-  const SingularityPoint& point_;
+  const PosturePoint& point_;
+};
+
+class OwnCost final : public ControlPointCost {
+ public:
+  OwnCost(const ObjectiveWeights& weights, const PosturePoint& point)
+      : ControlPointCost(static_cast<int>(weights.joint.size()), SplineBasis::kLocal,
+                         static_cast<int>(weights.own.size())),
+        own_(weights.own),
+        point_(point) {}
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    const JointVector q = posture(parameters, point_.basis);
+    Eigen::MatrixXd d_q(num_residuals(), joints());
+    for (int r = 0; r < num_residuals(); ++r) {
+      JointVector slope = JointVector::Zero(joints());
+      residuals[r] =
+          point_.sqrt_weight * own_residual(own_[static_cast<std::size_t>(r)], point_.time, q,
+                                            jacobians == nullptr ? nullptr : &slope);
+      d_q.row(r) = point_.sqrt_weight * slope.transpose();
+    }
+    if (jacobians != nullptr) chain_rule(d_q, point_.basis, jacobians);
+    return true;
+  }
+
+ private:
+  const std::vector<PostureResidual>& own_;
+  const PosturePoint& point_;
 };
 
 class DeviationCost final : public ControlPointCost {
@@ -195,8 +223,12 @@ ceres::CostFunction* objective_cost(const ObjectiveRow& row, const ObjectiveWeig
   return new ObjectiveCost(row, weights);
 }
 
-ceres::CostFunction* singularity_cost(const Robot& robot, const SingularityPoint& point) {
+ceres::CostFunction* singularity_cost(const Robot& robot, const PosturePoint& point) {
   return new SingularityCost(robot, point);
+}
+
+ceres::CostFunction* own_cost(const ObjectiveWeights& weights, const PosturePoint& point) {
+  return new OwnCost(weights, point);
 }
 
 ceres::CostFunction* deviation_cost(const Robot& robot, const DeviationPoint& point) {

@@ -16,7 +16,10 @@ namespace wristwise {
 ceres::CostFunction* objective_cost(const ObjectiveRow& row, const ObjectiveWeights& weights);
 
 /// sqrt(weight) cos^4(wrist) at a quadrature point (F32).
-ceres::CostFunction* singularity_cost(const Robot& robot, const SingularityPoint& point);
+ceres::CostFunction* singularity_cost(const Robot& robot, const PosturePoint& point);
+
+/// sqrt(weight) r at a quadrature point, for each of the caller's residuals (F14).
+ceres::CostFunction* own_cost(const ObjectiveWeights& weights, const PosturePoint& point);
 
 /// sqrt(weight) (alpha, beta) at a quadrature point (F14).
 ceres::CostFunction* deviation_cost(const Robot& robot, const DeviationPoint& point);

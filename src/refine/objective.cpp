@@ -5,6 +5,7 @@
 
 #include "refine/banded_qr.hpp"
 #include "refine/gauss_quadrature.hpp"
+#include "wristwise/error.hpp"
 #include "wristwise/kinematics.hpp"
 
 namespace wristwise {
@@ -44,14 +45,26 @@ bool sees_deviation(const ObjectiveWeights& weights) {
 }
 
 bool depends_on_posture(const ObjectiveWeights& weights) {
-  return sees_deviation(weights) || weights.derivative[0] > 0 || weights.singularity > 0;
+  return sees_deviation(weights) || weights.derivative[0] > 0 || weights.singularity > 0 ||
+         !weights.own.empty();
 }
 
-/// The terms of a posture by itself, over a time `width` (s).
-void add_posture_terms(const ObjectiveWeights& weights, const Robot& robot, const JointVector& q,
-                       double width, ObjectiveTerms& terms) {
+/// The terms of a posture by itself at a time (s), over a time `width` (s).
+void add_posture_terms(const ObjectiveWeights& weights, const Robot& robot, double time,
+                       const JointVector& q, double width, ObjectiveTerms& terms) {
+  for (const PostureResidual& residual : weights.own)
+    terms.own += width * std::pow(own_residual(residual, time, q, nullptr), 2);
   terms.posture += width * posture_density(weights, q);
   if (weights.singularity > 0) terms.singularity += width * singularity_density(weights, robot, q);
+}
+
+std::vector<PosturePoint> posture_points(double weight, const SplineBasis& basis) {
+  std::vector<PosturePoint> points;
+  for (const QuadraturePoint& quadrature : gauss_points(basis.breakpoints())) {
+    points.push_back(
+        {quadrature.time, basis.at(quadrature.time), std::sqrt(quadrature.weight * weight)});
+  }
+  return points;
 }
 
 /// @param integral element k of |W q^(k)|^2, k = 1 .. 3
@@ -67,6 +80,7 @@ void set_derivative_terms(const ObjectiveWeights& weights, const std::array<doub
 ObjectiveWeights objective_weights(const CostOptions& cost, double smoothing_time, int joints) {
   const double tau = smoothing_time;
   ObjectiveWeights weights;
+  weights.own = cost.posture_residuals;
   weights.derivative = {cost.preferred_posture.empty() ? 0 : cost.posture / (tau * tau),
                         cost.joint_motion, cost.acceleration * std::pow(tau, 2),
                         cost.jerk * std::pow(tau, 4)};
@@ -96,7 +110,7 @@ ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& rob
     }
     if (!depends_on_posture(weights)) continue;
     const JointVector q = spline.evaluate(point.time);
-    add_posture_terms(weights, robot, q, point.weight, terms);
+    add_posture_terms(weights, robot, point.time, q, point.weight, terms);
     if (!sees_deviation(weights)) continue;
     if (const auto box = task.tolerance_between(interval_at(task, point.time))) {
       add_deviation_terms(weights, robot, *box, task.seam.frame_at(point.time), q, point.weight,
@@ -125,7 +139,7 @@ ObjectiveTerms objective_terms(const ObjectiveWeights& weights, const Robot& rob
     const double before = i > 0 ? path.times[i] - path.times[i - 1] : 0;
     const double after = i + 1 < path.size() ? path.times[i + 1] - path.times[i] : 0;
     const double width = 0.5 * (before + after);
-    add_posture_terms(weights, robot, path.positions[i], width, terms);
+    add_posture_terms(weights, robot, path.times[i], path.positions[i], width, terms);
     const Waypoint& waypoint = task.waypoints[i];
     if (!sees_deviation(weights) || waypoint.joints) continue;
     add_deviation_terms(weights, robot, waypoint.tolerance, waypoint.frame, path.positions[i],
@@ -179,15 +193,28 @@ std::vector<DeviationPoint> deviation_points(const ObjectiveWeights& weights, co
   return points;
 }
 
-std::vector<SingularityPoint> singularity_points(const ObjectiveWeights& weights,
-                                                 const SplineBasis& basis) {
-  std::vector<SingularityPoint> points;
-  if (weights.singularity <= 0) return points;
-  for (const QuadraturePoint& quadrature : gauss_points(basis.breakpoints())) {
-    points.push_back({quadrature.time, basis.at(quadrature.time),
-                      std::sqrt(quadrature.weight * weights.singularity)});
-  }
-  return points;
+std::vector<PosturePoint> singularity_points(const ObjectiveWeights& weights,
+                                             const SplineBasis& basis) {
+  if (weights.singularity <= 0) return {};
+  return posture_points(weights.singularity, basis);
+}
+
+std::vector<PosturePoint> own_points(const ObjectiveWeights& weights, const SplineBasis& basis) {
+  if (weights.own.empty()) return {};
+  return posture_points(1, basis);
+}
+
+double own_residual(const PostureResidual& residual, double time, const JointVector& q,
+                    JointVector* gradient) {
+  const std::string where = "cost.posture_residuals at " + std::to_string(time) + " s";
+  const double value = residual(time, q, gradient);
+  if (!std::isfinite(value)) throw InvalidInput(where, "a value that is not finite");
+  if (gradient == nullptr) return value;
+  if (gradient->size() != q.size())
+    throw InvalidInput(where, "a gradient of " + std::to_string(gradient->size()) + " values",
+                       "one per joint");
+  if (!gradient->allFinite()) throw InvalidInput(where, "a gradient that is not finite");
+  return value;
 }
 
 // (F32) a = a_(n-2), b = a_n: only the joint between them turns one without the other, and

@@ -14,7 +14,8 @@ namespace wristwise {
 /// The weights of one planning problem's objective (F14):
 ///   integral of w_v |W q'|^2 + w_a tau^2 |W q''|^2 + w_j tau^4 |W q'''|^2
 ///             + w_p / tau^2 |W (q - p)|^2 + w_s / tau^2 cos^8(wrist)
-///             + w_e (eta^2 alpha^2 + beta^2) / tau^2 + w_x (x^2 + y^2 + z^2) / tau^2,
+///             + w_e (eta^2 alpha^2 + beta^2) / tau^2 + w_x (x^2 + y^2 + z^2) / tau^2
+///             + sum of r^2 over the caller's residuals,
 /// W = diag(joint weights).
 struct ObjectiveWeights {
   std::array<double, 4> derivative{};  ///< of |W q^(k)|^2, k = 1 .. 3; [0]: of |W (q - p)|^2
@@ -24,6 +25,7 @@ struct ObjectiveWeights {
   double singularity = 0;              ///< of cos^8 of the angle between the wrist's axes (F32)
   JointVector joint;                   ///< diagonal of W
   JointVector posture;                 ///< p; zero where there is none
+  std::vector<PostureResidual> own;    ///< the caller's r(t, q)
 };
 
 ObjectiveWeights objective_weights(const CostOptions& cost, double smoothing_time, int joints);
@@ -31,9 +33,9 @@ ObjectiveWeights objective_weights(const CostOptions& cost, double smoothing_tim
 /// The integrals of the terms, weighted.
 struct ObjectiveTerms {
   double joint_motion = 0, acceleration = 0, jerk = 0, euler = 0, position = 0, posture = 0,
-         singularity = 0;
+         singularity = 0, own = 0;
   double total() const {
-    return joint_motion + acceleration + jerk + euler + position + posture + singularity;
+    return joint_motion + acceleration + jerk + euler + position + posture + singularity + own;
   }
 };
 
@@ -69,14 +71,22 @@ struct DeviationPoint {
 std::vector<DeviationPoint> deviation_points(const ObjectiveWeights& weights, const Task& task,
                                              const SplineBasis& basis);
 
-/// One quadrature point of the singularity term: residual sqrt_weight * wrist_alignment^4.
-struct SingularityPoint {
+/// One quadrature point of a term that depends on the posture alone.
+struct PosturePoint {
   double time = 0;
   SplineBasis::Values basis;
   double sqrt_weight = 0;
 };
-std::vector<SingularityPoint> singularity_points(const ObjectiveWeights& weights,
-                                                 const SplineBasis& basis);
+/// Of the singularity term: residual sqrt_weight * wrist_alignment^4.
+std::vector<PosturePoint> singularity_points(const ObjectiveWeights& weights,
+                                             const SplineBasis& basis);
+/// Of the caller's terms: residuals sqrt_weight * r(t, q).
+std::vector<PosturePoint> own_points(const ObjectiveWeights& weights, const SplineBasis& basis);
+
+/// r(t, q) of the caller, and its gradient where that is not null.
+/// @throws InvalidInput where either is not finite, or the gradient not one value per joint.
+double own_residual(const PostureResidual& residual, double time, const JointVector& q,
+                    JointVector* gradient);
 
 /// a_(n-2) . a_n, the cosine of the angle between the axes that line up where a spherical wrist is
 /// singular, and its derivative with respect to q (F32); 0 for chains of fewer than three joints.

@@ -264,6 +264,7 @@ class Attempt {
                         {"position", initial_.position, final_terms.position},
                         {"posture", initial_.posture, final_terms.posture},
                         {"singularity", initial_.singularity, final_terms.singularity}};
+    if (!weights_.own.empty()) statistics.terms.push_back({"own", initial_.own, final_terms.own});
     if (termination == "converged") {
       statistics.active = active_constraints(*input_.clearance, motion, lagrangian_.points(),
                                              lagrangian_.limits(), statistics.objective);

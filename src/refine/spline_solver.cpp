@@ -42,8 +42,11 @@ class Batches {
     for (const DeviationPoint& point : problem.deviation_points) {
       add(deviation_cost(problem.robot, point), point.basis.first);
     }
-    for (const SingularityPoint& point : problem.singularity_points) {
+    for (const PosturePoint& point : problem.singularity_points) {
       add(singularity_cost(problem.robot, point), point.basis.first);
+    }
+    for (const PosturePoint& point : problem.own_points) {
+      add(own_cost(problem.weights, point), point.basis.first);
     }
     for (const PointConstraint& point : problem.points) {
       if (point.rows.empty()) continue;

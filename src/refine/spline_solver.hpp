@@ -16,7 +16,8 @@ struct AugmentedProblem {
   const ObjectiveWeights& weights;
   const std::vector<ObjectiveRow>& objective_rows;
   const std::vector<DeviationPoint>& deviation_points;
-  const std::vector<SingularityPoint>& singularity_points;
+  const std::vector<PosturePoint>& singularity_points;
+  const std::vector<PosturePoint>& own_points;
   const std::vector<PointConstraint>& points;
   const std::vector<LimitConstraint>& limits;
   double mu = 1;       ///< of constraints in m and rad

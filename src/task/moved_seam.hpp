@@ -1,6 +1,6 @@
 #pragma once
 
-#include "task/seam_builder.hpp"
+#include "wristwise/seam_description.hpp"
 
 namespace wristwise {
 

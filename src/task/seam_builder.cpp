@@ -1,10 +1,11 @@
-#include "task/seam_builder.hpp"
+#include "wristwise/seam_description.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "task/checked_description.hpp"
 #include "task/corners.hpp"
 #include "task/seam_legs.hpp"
 #include "task/seam_pace.hpp"
@@ -222,7 +223,8 @@ class TaskBuilder {
 
 }  // namespace
 
-Task build_task(const Robot& robot, const SeamDescription& description) {
+Task build_task(const Robot& robot, const SeamDescription& given) {
+  const SeamDescription description = checked_description(given);
   check_description(description);
   check_corners(description.corners, description.where);
   Stretches layout = lay_out(robot, description.segments);

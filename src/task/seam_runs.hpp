@@ -2,7 +2,7 @@
 
 #include "task/path_point.hpp"
 #include "task/run_curve.hpp"
-#include "task/seam_builder.hpp"
+#include "wristwise/seam_description.hpp"
 
 namespace wristwise {
 

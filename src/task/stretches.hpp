@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "task/seam_builder.hpp"
+#include "wristwise/seam_description.hpp"
 
 namespace wristwise {
 

@@ -52,7 +52,8 @@ contents() {
   holds libwristwise-dev usr/include/wristwise/wristwise.hpp usr/include/wristwise/version.hpp \
     'usr/lib/.*libwristwise\.so' 'usr/lib/.*libwristwise\.a' \
     'usr/lib/.*cmake/wristwise/wristwiseConfig.cmake' 'usr/lib/.*pkgconfig/wristwise.pc' \
-    usr/share/doc/wristwise/examples/plan_a_seam.cpp
+    usr/share/doc/wristwise/examples/01_plan_a_seam.cpp \
+    usr/share/doc/wristwise/examples/CMakeLists.txt
 }
 
 depends() {

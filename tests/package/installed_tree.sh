@@ -42,9 +42,11 @@ eigen() { pkg-config --cflags-only-I eigen3 | sed 's/^-I//;s/ *$//'; }
 
 # Functions and data; templates of std and types of exceptions are everywhere.
 exported_symbols() {
-  local symbols others
+  local symbols others unmarked
   symbols=$(nm -DC --defined-only "$(shared_library)" | cut -d' ' -f3-)
   grep -q 'wristwise::plan(' <<<"$symbols" || fail "wristwise::plan is not exported"
+  ! unmarked=$(grep -rlE '^namespace wristwise\b' "$tree/include") ||
+    fail "a namespace without WRISTWISE_PUBLIC: $unmarked"
   others=$(grep -vE '\bwristwise::|\bstd::|__gnu_cxx::|^typeinfo (name )?for ' <<<"$symbols") ||
     return 0
   fail "exported besides wristwise's own: $others"
@@ -86,7 +88,7 @@ man_page() {
 configure_consumer() {
   local name=$1
   shift
-  rm -rf "$folder/$name"
+  rm -rf "${folder:?}/$name"
   cmake -S "$source/tests/consumer" -B "$folder/$name" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_PREFIX_PATH="$tree" "$@"
 }
@@ -116,18 +118,30 @@ consumer_static() {
   ! uses_shared "$folder/consumer_static/consumer" || fail "linked with the shared library"
 }
 
+# From the folder as it is installed, with its own CMake file.
+examples() {
+  cmake -S "$tree/share/doc/wristwise/examples" -B "$folder/examples" -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_PREFIX_PATH="$tree"
+  cmake --build "$folder/examples" --parallel 2
+  local planar=$tree/share/wristwise/problems/planar_3r.yaml
+  "$folder/examples/01_plan_a_seam" "$planar" "$folder/planar.csv"
+  "$folder/examples/07_check_a_file" "$planar" "$folder/planar.csv" | grep -x passed
+}
+
 consumer_wider_vectors() {
   configure_consumer consumer_wider_vectors -DCMAKE_CXX_FLAGS=-march=native
   build_and_run consumer_wider_vectors
 }
 
-# find_components COMPONENT...: a project that asks for them
-find_components() {
+# found VERSION [COMPONENT...]: what a project that asks for them is given
+found() {
+  local version=$1
+  shift
   mkdir -p "$folder/components"
   cat >"$folder/components/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.25)
 project(components LANGUAGES CXX)
-find_package(wristwise 0.1 REQUIRED COMPONENTS $*)
+find_package(wristwise $version REQUIRED COMPONENTS $*)
 get_target_property(chosen wristwise::wristwise ALIASED_TARGET)
 message(STATUS "chosen: \${chosen}")
 END
@@ -136,9 +150,19 @@ END
 }
 
 components() {
-  find_components shared | grep -x -e '-- chosen: wristwise::shared'
-  find_components static shared | grep -x -e '-- chosen: wristwise::static'
-  (find_components dynamic || true) | grep "no component 'dynamic' here"
+  found 0.1 | grep -x -e '-- chosen: wristwise::shared'
+  found 0.1 shared | grep -x -e '-- chosen: wristwise::shared'
+  found 0.1 static shared | grep -x -e '-- chosen: wristwise::static'
+  (found 0.1 dynamic || true) | grep "no component 'dynamic' here"
+  ! found 0.2 || fail "0.1 was found for 0.2"
+}
+
+# Where only the archive is installed it is the one that is found.
+archive_alone() {
+  cp -r "$tree" "$folder/archive_alone"
+  tree=$folder/archive_alone
+  find "$tree" -name 'libwristwise.so*' -delete -o -name 'wristwise-shared*' -delete
+  found 0.1 | grep -x -e '-- chosen: wristwise::static'
 }
 
 # pkg_config_consumer NAME [OPTION OF PKG-CONFIG...]
