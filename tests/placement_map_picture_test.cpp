@@ -1,4 +1,4 @@
-#include "io/placement_map_picture.hpp"
+#include "picture/placement_map_picture.hpp"
 
 #include <gtest/gtest.h>
 #include <tinyxml.h>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/svg.hpp"
+#include "picture/svg.hpp"
 
 namespace wristwise {
 namespace {

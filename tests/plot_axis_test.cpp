@@ -1,4 +1,4 @@
-#include "io/plot_axis.hpp"
+#include "picture/plot_axis.hpp"
 
 #include <gtest/gtest.h>
 

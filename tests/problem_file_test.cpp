@@ -214,6 +214,7 @@ TEST_F(ProblemFile, MistakesAreNamedWithFileLineAndKey) {
        "samples are given too"},
       {"planner: dense", "max_tcp_step: -1", ":29: graph.max_tcp_step", "not above zero"},
       {"planner: dense", "collision_checks: never", ":29: graph.collision_checks", "eager"},
+      {"planner: dense", "check_moves: never", ":29: graph.check_moves", "false"},
       {"joint_weights: [1, 2, 3]", "joint_weights: [1, 2]", ":28: cost.joint_weights", "3"},
       {"eta: 7", "eta: -7", "cost.euler.eta", "negative"},
       {"max_rounds: 7", "max_rounds: 0", "refine.max_rounds", "at least 1"},

@@ -82,6 +82,10 @@ struct GraphOptions {
   int automatic_samples = 0;
   /// Samples again, ever finer, around the best path until the cost settles.
   bool coarse_to_fine = false;
+  /// False: moves between waypoints are taken as they are, whatever they hit and wherever the TCP
+  /// strays, as the Descartes algorithm does; `max_stray` is unused. To compare with; the
+  /// verification does check them.
+  bool check_moves = true;
   Planner planner = Planner::dense;  ///< which waypoints are planned
   /// rad or m; sparse: how far an interpolated posture may be from the nearest one in tolerance.
   double sparse_deviation = 0.05;

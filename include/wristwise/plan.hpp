@@ -56,8 +56,7 @@ struct FailureCounts {
 struct Diagnosis {
   std::optional<std::size_t> waypoint;  ///< the first that fails
   /// Of stage 1: out_of_reach, joint_limit, collision or no_edge. Of stage 2: refinement, seed or
-  /// infeasible_at_this_speed. Of place(): standing_contact, no_placement, time_limit. Else
-  /// verification or interrupted.
+  /// infeasible_at_this_speed. Else verification or interrupted.
   std::string reason;
   std::string detail;      ///< one sentence
   std::string suggestion;  ///< what would help; of stage 1, found by trying where that succeeded
@@ -182,9 +181,9 @@ struct PlanResult {
 };
 
 /// Both stages: ladder graph, refinement, verification. No solution is a result with a diagnosis.
-/// @throws InvalidInput, naming the member, for a problem that is not complete or does not fit
-/// together: no robot, fewer than two waypoints, options out of range or not one per joint, joint
-/// waypoints of another robot, unknown names among the scene's pairs.
+/// @throws InvalidInput, naming the member, for a problem that is not complete or whose parts do
+/// not fit together: no robot, fewer than two waypoints, options out of range or not one per joint,
+/// names of pairs that the scene does not have
 PlanResult plan(const Problem& problem, const PlanOptions& options = {});
 
 /// Stage 1 alone, verified: what a Descartes-style planner gives.

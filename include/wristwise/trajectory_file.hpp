@@ -44,9 +44,8 @@ TrajectoryFile read_trajectory(const std::filesystem::path& file,
                                const std::vector<std::string>& joint_names);
 
 /// Writes points as CSV with as many digits as give the same double back; the file appears whole or
-/// not at all.
-/// @throws InvalidInput where its folder does not exist
-/// @throws std::runtime_error where it can't be written
+/// not at all. @throws InvalidInput where its folder does not exist; std::runtime_error where it
+/// can't be written
 void write_path(const std::filesystem::path& file, const std::vector<std::string>& joint_names,
                 const JointPath& path, const SeamColumns& seam = {});
 /// As write_path, with a velocity and an acceleration column for each joint.

@@ -4,6 +4,7 @@
 #include "app/comparison_table.hpp"
 #include "app/exit_code.hpp"
 #include "app/output_folder.hpp"
+#include "app/pictures.hpp"
 #include "app/planning_run.hpp"
 #include "io/result_file.hpp"
 #include "report/report.hpp"
@@ -22,9 +23,11 @@ int run_compare(const CompareCommand& command, const Settings& settings) {
   if (!command.no_report)
     write_report(folder,
                  {two_stage.problem, two_stage.result, &graph_only.result, two_stage.inputs});
-  fmt::print("{}written to {}\n",
+  fmt::print("{}written to {}\n{}",
              comparison_table(graph_only.result, two_stage.result, graph_only.problem),
-             folder.string());
+             folder.string(),
+             write_pictures(command.plot, folder, two_stage.problem, two_stage.result,
+                            &graph_only.result));
   return two_stage.exit_code;
 }
 

@@ -5,6 +5,7 @@
 #include "app/commands.hpp"
 #include "app/exports.hpp"
 #include "app/output_folder.hpp"
+#include "app/pictures.hpp"
 #include "app/planning_run.hpp"
 #include "app/summary.hpp"
 #include "io/quantity.hpp"
@@ -124,8 +125,9 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
   const PlanningRun run = run_planner(load, Mode::smooth, repair, settings);
   write_result(folder, run.result, run.problem);
   if (!command.no_report) write_report(folder, {run.problem, run.result, nullptr, run.inputs});
-  fmt::print("{}{}", summary(run.result, run.problem, folder),
-             write_exports(formats, folder, run.result, run.problem));
+  fmt::print("{}{}{}", summary(run.result, run.problem, folder),
+             write_exports(formats, folder, run.result, run.problem),
+             write_pictures(command.plot, folder, run.problem, run.result));
   return run.exit_code;
 }
 

@@ -16,6 +16,7 @@ struct PlanCommand {
   std::filesystem::path out;  ///< empty: out/<problem>
   std::vector<std::string> exports;
   bool no_report = false;
+  bool plot = false;
 };
 int run_plan(const PlanCommand& command, const Settings& settings);
 
@@ -31,6 +32,7 @@ struct SmoothCommand {
   bool no_self_collision = false;
   std::vector<std::string> exports;
   bool no_report = false;
+  bool plot = false;
 };
 int run_smooth(const SmoothCommand& command, const Settings& settings);
 
@@ -45,6 +47,7 @@ struct CompareCommand {
   std::filesystem::path problem;
   std::filesystem::path out;
   bool no_report = false;
+  bool plot = false;
 };
 int run_compare(const CompareCommand& command, const Settings& settings);
 

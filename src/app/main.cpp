@@ -79,6 +79,11 @@ class CommandLine {
     command.add_flag("--no-report", no_report, "Write no report.html");
   }
 
+  void add_plot(CLI::App& command, bool& plot) {
+    command.add_flag("--plot", plot,
+                     "Pictures too (SVG): joint profiles with limits, use of the tolerance");
+  }
+
   void add_problem(CLI::App& command, std::filesystem::path& problem) {
     command.add_option("PROBLEM", problem, "Problem file (YAML)")->required();
   }
@@ -99,6 +104,7 @@ class CommandLine {
     add_out(command, plan_.out);
     add_export(command, plan_.exports);
     add_no_report(command, plan_.no_report);
+    add_plot(command, plan_.plot);
     command.callback([this] { action_ = [this] { return run_plan(plan_, settings_); }; });
   }
 
@@ -124,6 +130,7 @@ class CommandLine {
                      "Don't keep the links clear of each other, don't read their meshes");
     add_export(command, smooth_.exports);
     add_no_report(command, smooth_.no_report);
+    add_plot(command, smooth_.plot);
     command.callback([this] { action_ = [this] { return run_smooth(smooth_, settings_); }; });
   }
 
@@ -140,6 +147,7 @@ class CommandLine {
     add_problem(command, compare_.problem);
     add_out(command, compare_.out);
     add_no_report(command, compare_.no_report);
+    add_plot(command, compare_.plot);
     command.callback([this] { action_ = [this] { return run_compare(compare_, settings_); }; });
   }
 

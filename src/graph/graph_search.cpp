@@ -62,7 +62,7 @@ void GraphSearch::set_filters(const SamplingInput& input, const Task& task) {
       return !moves_.steps_too_far(from, to);
     };
   }
-  if (!measured && !moves_.limits().strays()) return;
+  if (!input.options.check_moves || (!measured && !moves_.limits().strays())) return;
   rules_.is_clear = [this](int worker, std::size_t interval, const JointVector& from,
                            const JointVector& to) {
     return moves_.is_clear(worker, interval, from, to);

@@ -9,9 +9,9 @@
 #include "io/json_value.hpp"
 #include "io/peaks.hpp"
 #include "io/placed_problem_file.hpp"
-#include "io/placement_map_picture.hpp"
 #include "io/result_file.hpp"
 #include "io/text_file.hpp"
+#include "picture/placement_map_picture.hpp"
 
 namespace wristwise {
 

@@ -124,7 +124,7 @@ CostOptions read_cost(const ConfigReader& reader, const Robot& robot) {
 
 GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
   reader.expect_keys({"samples", "automatic_samples", "coarse_to_fine", "turns", "max_stray",
-                      "max_tcp_step", "max_tcp_turn", "collision_checks", "planner",
+                      "check_moves", "max_tcp_step", "max_tcp_turn", "collision_checks", "planner",
                       "sparse_deviation", "seeds", "spare_seeds", "seed_separation",
                       "try_relaxations"});
   GraphOptions graph;
@@ -141,6 +141,8 @@ GraphOptions read_graph(const ConfigReader& reader, const Robot& robot) {
   if (const auto relax = reader.find("try_relaxations"))
     graph.try_relaxations = relax->choice({"true", "false"}) == "true";
   read_limit(reader, "max_stray", Quantity::length, graph.max_stray);
+  if (const auto check = reader.find("check_moves"))
+    graph.check_moves = check->choice({"true", "false"}) == "true";
   read_limit(reader, "max_tcp_step", Quantity::length, graph.max_tcp_step);
   read_limit(reader, "max_tcp_turn", Quantity::angle, graph.max_tcp_turn);
   if (const auto checks = reader.find("collision_checks"))

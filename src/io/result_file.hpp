@@ -17,9 +17,6 @@ Task task_as_run(const PlanResult& result, const Problem& problem);
 /// The waypoints of the weld, without run-in and run-out.
 std::size_t waypoint_count(const PlanResult& result, const Problem& problem);
 
-/// The task at the times at which the result passes it.
-Task task_as_run(const PlanResult& result, const Problem& problem);
-
 /// result.json. @param problem may be empty where it could not be read
 std::string result_json(const PlanResult& result, const Problem& problem);
 

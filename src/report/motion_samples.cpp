@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wristwise/kinematics.hpp"
 #include "wristwise/verification.hpp"
 
 namespace wristwise {
@@ -33,15 +34,6 @@ Target target_at(const Task& task, double t) {
           task.tolerance_between(static_cast<std::size_t>(next - waypoints.begin()) - 1)};
 }
 
-/// m and rad beyond the box that pass between waypoints.
-Vector6 widening_of(const Task& task) {
-  const VerificationOptions accepted;
-  Vector6 widening;
-  widening.head<3>().setConstant(task.between_position + accepted.position_tolerance);
-  widening.tail<3>().setConstant(task.between_angle + accepted.angle_tolerance);
-  return widening;
-}
-
 std::size_t interval_of(const std::vector<double>& times, double t) {
   const auto after = std::upper_bound(times.begin(), times.end(), t);
   if (after == times.begin()) return 0;
@@ -49,6 +41,14 @@ std::size_t interval_of(const std::vector<double>& times, double t) {
 }
 
 }  // namespace
+
+Vector6 widening_of(const Task& task) {
+  const VerificationOptions accepted;
+  Vector6 widening;
+  widening.head<3>().setConstant(task.between_position + accepted.position_tolerance);
+  widening.tail<3>().setConstant(task.between_angle + accepted.angle_tolerance);
+  return widening;
+}
 
 std::vector<double> sample_times(const std::vector<double>& times, std::size_t aim) {
   if (times.size() < 2) return times;
@@ -82,19 +82,16 @@ Vector6 tolerance_use(const ToleranceBox& box, const Vector6& deviation, const V
   return use;
 }
 
-MotionSamples sample_motion(const Task& task,
-                            const std::shared_ptr<const ClearanceModel>& clearance,
-                            const CheckedMotion& motion, std::size_t aim) {
+MotionSamples sample_tolerance(const Task& task, const Robot& robot, const CheckedMotion& motion,
+                               std::size_t aim) {
   MotionSamples samples;
   samples.times = sample_times(motion.times(), aim);
-  ClearanceChecker checker(clearance);
   const Vector6 widening = widening_of(task);
   for (const double t : samples.times) {
-    const JointVector q = motion.posture(interval_of(motion.times(), t), t);
-    checker.set_posture(q);
+    const Pose tcp = tcp_pose(robot, motion.posture(interval_of(motion.times(), t), t));
     const Target target = target_at(task, t);
-    const Pose& tcp = checker.chain().tcp;
     samples.seam.push_back(target.box ? target.frame.translation() : tcp.translation());
+    samples.boxes.push_back(target.box);
     if (target.box) {
       const Vector6 e = deviation(*target.box, target.frame, tcp);
       samples.deviation.emplace_back(e);
@@ -103,6 +100,17 @@ MotionSamples sample_motion(const Task& task,
       samples.deviation.emplace_back();
       samples.use.emplace_back();
     }
+  }
+  return samples;
+}
+
+MotionSamples sample_motion(const Task& task,
+                            const std::shared_ptr<const ClearanceModel>& clearance,
+                            const CheckedMotion& motion, std::size_t aim) {
+  MotionSamples samples = sample_tolerance(task, clearance->robot(), motion, aim);
+  ClearanceChecker checker(clearance);
+  for (const double t : samples.times) {
+    checker.set_posture(motion.posture(interval_of(motion.times(), t), t));
     samples.nearest.push_back(checker.nearest());
   }
   return samples;

@@ -18,6 +18,7 @@ struct MotionSamples {
   std::vector<std::optional<Vector6>> deviation;
   /// See tolerance_use; infinity for a free angle, as the deviation.
   std::vector<std::optional<Vector6>> use;
+  std::vector<std::optional<ToleranceBox>> boxes;    ///< what it is measured by, not widened
   std::vector<std::optional<PairDistance>> nearest;  ///< nullopt where no pair counts
 };
 
@@ -30,7 +31,15 @@ std::vector<double> sample_times(const std::vector<double>& times, std::size_t a
 /// without a width the share of that widening. Infinity where it is free.
 Vector6 tolerance_use(const ToleranceBox& box, const Vector6& deviation, const Vector6& widening);
 
+/// m and rad beyond the box that pass between waypoints.
+Vector6 widening_of(const Task& task);
+
+/// The deviation and its share of the tolerance; `nearest` stays empty.
 /// @param task the one that the motion runs, its seam retimed
+MotionSamples sample_tolerance(const Task& task, const Robot& robot, const CheckedMotion& motion,
+                               std::size_t aim);
+
+/// Everything.
 MotionSamples sample_motion(const Task& task,
                             const std::shared_ptr<const ClearanceModel>& clearance,
                             const CheckedMotion& motion, std::size_t aim);

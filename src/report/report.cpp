@@ -10,7 +10,7 @@
 #include "report/json_motion.hpp"
 #include "report/json_robot.hpp"
 #include "report/page_template.hpp"
-#include "verify/row_waypoints.hpp"
+#include "report/shown_motions.hpp"
 
 namespace wristwise {
 
@@ -44,76 +44,32 @@ Json waypoints(const Task& task) {
           {"welding", std::move(weld)}};
 }
 
-/// The motions of a report, each looked at over time.
-class Motions {
- public:
-  explicit Motions(const Problem& problem)
-      : problem_(problem),
-        clearance_(std::make_shared<const ClearanceModel>(problem.robot, problem.scene)) {}
+/// What the check says of a motion; where it was not checked yet, now.
+Verification verification_of(const ShownMotion& motion, const Problem& problem,
+                             const std::shared_ptr<const ClearanceModel>& clearance) {
+  if (motion.verification != nullptr) return *motion.verification;
+  VerificationOptions options;
+  options.clearance_epsilon = problem.refine.clearance_epsilon;
+  return verify(problem.task, clearance, motion.path, options);
+}
 
-  const ClearanceModel& clearance() const { return *clearance_; }
-  Json json() { return std::move(json_); }
-
-  Verification check(const Task& task, const JointPath& path) const {
-    VerificationOptions options;
-    options.clearance_epsilon = problem_.refine.clearance_epsilon;
-    return verify(task, clearance_, path, options);
-  }
-
-  void add(const std::string& name, const PlanResult& result) {
-    const Task task = task_as_run(result, problem_);
-    if (result.trajectory.empty()) return add_path(name, task, result.path, result.verification);
-    add_motion(name, task, CurveMotion(result.trajectory), json::knots(result.trajectory),
-               result.verification);
-  }
-
-  void add_path(const std::string& name, const Task& task, const JointPath& path,
-                const Verification& verification) {
-    if (path.size() == 0) return;
-    add_motion(name, task, PointMotion(path), json::knots(path), verification);
-  }
-
- private:
-  void add_motion(const std::string& name, const Task& given, const CheckedMotion& motion,
-                  Json knots, const Verification& verification) {
-    if (given.waypoints.empty()) return;
-    const bool is_motion = motion.times().size() > 1;
-    const Task task = is_motion ? row_waypoints(given, motion.times()).task : given;
-    json_.push_back(
-        {{"name", name},
-         {"curve", motion.is_curve()},
-         {"weld", {json::number(given.weld_start()), json::number(given.weld_end())}},
-         {"knots", std::move(knots)},
-         {"samples", json::samples(sample_motion(task, clearance_, motion, kSamples), *clearance_)},
-         {"verification", json::verification(verification, problem_)}});
-  }
-
-  const Problem& problem_;
-  std::shared_ptr<const ClearanceModel> clearance_;
-  Json json_ = Json::array();
-};
+Json motion_json(const ShownMotion& motion, const Problem& problem,
+                 const std::shared_ptr<const ClearanceModel>& clearance) {
+  const auto checked = checked_motion(motion);
+  return {
+      {"name", motion.name},
+      {"curve", checked->is_curve()},
+      {"weld", {json::number(motion.weld_start), json::number(motion.weld_end)}},
+      {"knots", checked->is_curve() ? json::knots(motion.trajectory) : json::knots(motion.path)},
+      {"samples",
+       json::samples(sample_motion(motion.task, clearance, *checked, kSamples), *clearance)},
+      {"verification", json::verification(verification_of(motion, problem, clearance), problem)}};
+}
 
 /// The waypoints that a diagnosis counts: of a smoothed path its rows.
 Task counted_task(const PlanResult& result, const Problem& problem) {
   const Task task = task_as_run(result, problem);
   return result.before ? task.with_waypoints_at(result.before->path.times) : task;
-}
-
-/// The result, and behind it what it is to be compared with.
-void add_motions(const ReportContents& contents, Motions& motions) {
-  const PlanResult& result = contents.result;
-  motions.add(result.mode == Mode::smooth ? "smoothed" : mode_name(result.mode), result);
-  if (contents.graph_only != nullptr) {
-    motions.add("graph-only", *contents.graph_only);
-  } else if (result.before) {
-    motions.add_path("as given", contents.problem.task, result.before->path,
-                     result.before->verification);
-  } else if (result.mode == Mode::two_stage && !result.trajectory.empty() &&
-             !result.seeds.empty()) {
-    const JointPath& seed = result.seeds.front().path;
-    motions.add_path("graph-only", contents.problem.task, seed,
-                     motions.check(contents.problem.task, seed));
-  }
 }
 
 /// '<' stands in JSON inside texts only, where it may be written as its code.
@@ -139,16 +95,18 @@ std::string report_data(const ReportContents& contents) {
   if (contents.graph_only != nullptr)
     data["graph_only"] = Json::parse(result_json(*contents.graph_only, problem));
   if (problem.robot) {
-    Motions motions(problem);
-    add_motions(contents, motions);
+    const auto clearance = std::make_shared<const ClearanceModel>(problem.robot, problem.scene);
+    Json motions = Json::array();
+    for (const ShownMotion& motion : shown_motions(problem, contents.result, contents.graph_only))
+      motions.push_back(motion_json(motion, problem, clearance));
     data["clearance"] = problem.scene.scope == CollisionScope::off
                             ? Json(nullptr)
                             : json::number(problem.scene.clearance);
     data["between"] = {problem.task.between_position, problem.task.between_angle};
     data["robot"] = json::robot(*problem.robot);
-    data["bodies"] = json::bodies(motions.clearance(), problem.scene.objects.size());
+    data["bodies"] = json::bodies(*clearance, problem.scene.objects.size());
     data["seam"] = waypoints(counted_task(contents.result, problem));
-    data["motions"] = motions.json();
+    data["motions"] = std::move(motions);
   }
   return without_markup(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

@@ -60,6 +60,38 @@ TEST(TaskBJump, IsBlockedByThePlateBetweenWaypoints) {
   EXPECT_EQ(plan_graph_only(problem).status, Status::solved);
 }
 
+/// The Descartes algorithm jumps through the plate; the verification says so.
+TEST(TaskBJump, WithoutChecksOfMovesJumpsThroughThePlateAndFails) {
+  Problem problem = shipped("task_b_jump");
+  problem.graph.check_moves = false;
+  const PlanResult result = plan_graph_only(problem);
+  EXPECT_EQ(result.status, Status::failed);
+  ASSERT_EQ(result.path.size(), problem.task.waypoints.size());
+  ClearanceChecker checker(std::make_shared<const ClearanceModel>(problem.robot, problem.scene));
+  double largest_turn = 0;
+  for (std::size_t i = 0; i < result.path.size(); ++i) {
+    checker.set_posture(result.path.positions[i]);
+    EXPECT_GE(checker.nearest()->distance, problem.scene.clearance) << "at waypoint " << i;
+    if (i == 0) continue;
+    const Pose step = tcp_pose(*problem.robot, result.path.positions[i - 1]).inverse() *
+                      tcp_pose(*problem.robot, result.path.positions[i]);
+    largest_turn = std::max(largest_turn, Eigen::AngleAxisd(step.linear()).angle());
+  }
+  EXPECT_GT(largest_turn, 0.5);
+  ASSERT_TRUE(result.verification.clearance.has_value());
+  EXPECT_LT(*result.verification.clearance, 0);
+  problem.scene.objects = {problem.scene.objects.back()};  // the plate alone
+  ClearanceChecker plate(std::make_shared<const ClearanceModel>(problem.robot, problem.scene));
+  double deepest = 1;
+  for (std::size_t i = 0; i + 1 < result.path.size(); ++i) {
+    for (double s = 0.05; s < 1; s += 0.05) {
+      plate.set_posture((1 - s) * result.path.positions[i] + s * result.path.positions[i + 1]);
+      deepest = std::min(deepest, plate.nearest()->distance);
+    }
+  }
+  EXPECT_LT(deepest, -0.001);
+}
+
 TEST(TaskC, TwoStageTakesTheSpikesOutOfJoints4And6) {
   const Problem problem = shipped("task_c_wrist_singularity");
   const PlanResult graph_only = plan_graph_only(problem);

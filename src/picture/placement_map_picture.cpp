@@ -1,4 +1,4 @@
-#include "io/placement_map_picture.hpp"
+#include "picture/placement_map_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "io/plot_axis.hpp"
-#include "io/svg.hpp"
+#include "picture/plot_axis.hpp"
+#include "picture/svg.hpp"
 
 namespace wristwise {
 

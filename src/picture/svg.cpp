@@ -1,4 +1,4 @@
-#include "io/svg.hpp"
+#include "picture/svg.hpp"
 
 #include <fmt/format.h>
 
@@ -34,8 +34,18 @@ std::string number(double value) { return fmt::format("{:.6g}", value); }
 std::string attributes(const SvgStyle& style) {
   std::string text = fmt::format("fill=\"{}\"", style.fill);
   if (style.stroke == "none") return text;
-  return text + fmt::format(" stroke=\"{}\" stroke-width=\"{}\"", style.stroke,
-                            number(style.stroke_width));
+  text +=
+      fmt::format(" stroke=\"{}\" stroke-width=\"{}\"", style.stroke, number(style.stroke_width));
+  if (!style.dash.empty()) text += fmt::format(" stroke-dasharray=\"{}\"", style.dash);
+  return text;
+}
+
+/// A hundredth of a pixel is enough, and short.
+std::string pixels(double value) {
+  std::string text = fmt::format("{:.2f}", value);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
 }
 
 const char* name(SvgAnchor anchor) {
@@ -65,6 +75,28 @@ void SvgPicture::line(double x1, double y1, double x2, double y2, const SvgStyle
   body_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>\n", number(x1),
                        number(y1), number(x2), number(y2), attributes(style));
 }
+
+void SvgPicture::polyline(const std::vector<SvgPoint>& points, const SvgStyle& style) {
+  body_ += "<polyline points=\"";
+  for (std::size_t i = 0; i < points.size(); ++i)
+    body_ += fmt::format("{}{},{}", i > 0 ? " " : "", pixels(points[i].x), pixels(points[i].y));
+  body_ += fmt::format("\" {} stroke-linejoin=\"round\"/>\n", attributes(style));
+}
+
+void SvgPicture::begin_group(const std::string& title) {
+  body_ += fmt::format("<g><title>{}</title>\n", escaped(title));
+}
+
+void SvgPicture::begin_group(const std::string& title, double x, double y, double width,
+                             double height) {
+  const int clip = ++clips_;
+  body_ += fmt::format(
+      "<clipPath id=\"clip{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n"
+      "<g clip-path=\"url(#clip{})\"><title>{}</title>\n",
+      clip, number(x), number(y), number(width), number(height), clip, escaped(title));
+}
+
+void SvgPicture::end_group() { body_ += "</g>\n"; }
 
 void SvgPicture::circle(double x, double y, double radius, const SvgStyle& style) {
   body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", number(x), number(y),
