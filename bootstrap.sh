@@ -11,6 +11,7 @@ packages=(build-essential cmake ninja-build libeigen3-dev libceres-dev libfcl-de
 with_tests=OFF
 if [ "${1:-}" = tests ]; then
   packages+=(libgtest-dev libbullet-dev libbenchmark-dev chromium chromium-driver python3-selenium
+    pybind11-dev python3-dev python3-numpy python3-pytest python3-mypy
     pkg-config lintian python3-jsonschema python3-yaml doxygen)
   with_tests=ON
 fi

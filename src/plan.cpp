@@ -40,7 +40,7 @@ class Pipeline {
  public:
   Pipeline(const Problem& problem, const PlanOptions& options, Mode mode)
       : problem_(problem), options_(options), threads_(thread_count(options.threads)) {
-    require_usable(problem);
+    check_problem(problem);
     result_.mode = mode;
     verification_ = verification_options(problem, options);
   }
@@ -274,7 +274,7 @@ class Pipeline {
 template <class Motion>
 Verification check_along(const Problem& problem, const Task& task, const Motion& motion,
                          const PlanOptions& options) {
-  require_usable(problem);
+  check_task(problem);
   return verify(task, std::make_shared<const ClearanceModel>(problem.robot, problem.scene), motion,
                 verification_options(problem, options));
 }
@@ -303,7 +303,7 @@ Verification check(const Problem& problem, const Trajectory& trajectory,
 }
 
 Verification check(const Problem& problem, const TrajectoryFile& file, const PlanOptions& options) {
-  require_usable(problem);
+  check_task(problem);
   Task task = problem.task;
   if (file.seam_time) {
     Verification unusable;

@@ -4,10 +4,13 @@
 
 namespace wristwise {
 
-/// What every problem must fulfil, whether it was read from a file or built in code.
-/// @throws InvalidInput naming the member: no robot, fewer than two waypoints, times that do not
-/// increase, frames or options that are not finite or out of range, lists that do not fit the
-/// robot.
-void require_usable(const Problem& problem);
+/// What a problem file's reader sees to, for a problem from anywhere: that there is a robot and a
+/// seam with waypoints in order of time, and that options are inside their ranges and of the
+/// robot's number of joints.
+/// @throws InvalidInput naming the option
+void check_problem(const Problem& problem);
+
+/// The same without what only a search needs: for a trajectory that is there already.
+void check_task(const Problem& problem);
 
 }  // namespace wristwise

@@ -10,6 +10,7 @@
 #include "placement/placement_map.hpp"
 #include "placement/placement_options.hpp"
 #include "placement/placement_search.hpp"
+#include "problem_check.hpp"
 #include "stopwatch.hpp"
 
 namespace wristwise {
@@ -173,6 +174,7 @@ class PlacementPipeline {
 }  // namespace
 
 PlacementResult place(const PlacementRequest& request, const PlanOptions& options) {
+  check_problem(request.problem);
   validate(request);
   return PlacementPipeline(request, options).run();
 }

@@ -1,0 +1,49 @@
+MODULE planar_3r_mod
+  ! 40 points in 16.000 s, off the plan by 0.000 mm and 0.000 deg at most
+  PROC planar_3r()
+    VelSet 10,5000;
+    MoveAbsJ [[-67.1226,95.3561,-68.2336,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000,fine,tool0\WObj:=wobj0;
+    VelSet 100,5000;
+    SetDO doWeld,1;
+    MoveAbsJ [[-65.9552,96.8999,-70.9447,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-64.6883,98.3268,-73.6385,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-63.3241,99.6367,-76.3126,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-61.8654,100.8289,-78.9635,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-60.3154,101.9026,-81.5872,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-58.6776,102.8570,-84.1793,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-56.9563,103.6908,-86.7346,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-55.1558,104.4032,-89.2474,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-53.2811,104.9930,-91.7119,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-51.3376,105.4594,-94.1218,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-49.3308,105.8014,-96.4706,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-47.2667,106.0186,-98.7519,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-45.1513,106.1106,-100.9593,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-42.9906,106.0770,-103.0864,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-40.7906,105.9181,-105.1275,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-38.5573,105.6341,-107.0768,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-36.2962,105.2256,-108.9294,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-34.0126,104.6932,-110.6806,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-31.7113,104.0377,-112.3265,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-29.3967,103.2603,-113.8636,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-27.0728,102.3619,-115.2891,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-24.7427,101.3436,-116.6009,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-22.4093,100.2065,-117.7972,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-20.0745,98.9513,-118.8768,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-17.7399,97.5788,-119.8389,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-15.4064,96.0895,-120.6830,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-13.0744,94.4833,-121.4089,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-10.7435,92.7600,-122.0165,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-8.4130,90.9186,-122.5056,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-6.0813,88.9576,-122.8763,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-3.7466,86.8747,-123.1281,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[-1.4060,84.6666,-123.2606,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[0.9437,82.3288,-123.2725,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[3.3065,79.8557,-123.1622,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[3.9465,80.6950,-119.6415,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[4.5274,81.4076,-115.9350,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[5.0524,81.9840,-112.0363,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[5.5261,82.4129,-107.9390,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4102,z0,tool0\WObj:=wobj0;
+    MoveAbsJ [[5.9554,82.6818,-103.6372,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\NoEOffs,v1000\T:=0.4103,fine,tool0\WObj:=wobj0;
+    SetDO doWeld,0;
+  ENDPROC
+ENDMODULE
