@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "gantry_urdf.hpp"
 #include "run_program.hpp"
@@ -97,6 +98,14 @@ TEST_F(CommandLine, MistakesInTheProblemAreInvalidInput) {
                          {"p.yaml:6", "scene.objects[0].mesh", "none.stl"});
 }
 
+TEST_F(CommandLine, WhatIsNoYamlIsNamedWithLineAndColumn) {
+  write("robot:\n  urdf: a.urdf\n  base_link: [a, b\npath: 1\n");
+  const ProgramRun outcome = run({"plan", "p.yaml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(std::regex_search(outcome.err, std::regex(R"(p\.yaml:[34]:\d+: not valid YAML)")))
+      << outcome.err;
+}
+
 TEST_F(CommandLine, EmptySeam) {
   write("robot: {urdf: " + kRobotFolder + "kuka_kr5_arc.urdf}\npath: {speed: 1, segments: []}\n");
   expect_invalid({"plan", "p.yaml"}, {"p.yaml:2", "path.segments"});
@@ -115,11 +124,20 @@ TEST_F(CommandLine, JointWithoutLimits) {
 
 TEST_F(CommandLine, MistakesInTheArgumentsAreInvalidInput) {
   write(kProblem);
-  expect_invalid({}, {"subcommand"});
+  expect_invalid({}, {"command", "wristwise --help"});
   expect_invalid({"plna", "p.yaml"}, {"'plna'", "'plan'"});
   expect_invalid({"plan"}, {"PROBLEM"});
   expect_invalid({"plan", "none.yaml"}, {"none.yaml", "no such file"});
-  expect_invalid({"plan", "p.yaml", "--mod", "graph-only"}, {"--mod"});
+  expect_invalid({"plan", "p.yaml", "--mod", "graph-only"}, {"'--mod'", "'--mode'"});
+  expect_invalid({"--quiet", "plan", "p.yaml", "--treads=2"}, {"'--treads'", "'--threads'"});
+  expect_invalid({"plan", "p.yaml", "--json"}, {"'--json'", "wristwise plan --help"});
+  expect_invalid({"--colour", "never"}, {"'--colour'", "'--color'"});
+  expect_invalid({"plan", "p.yaml", "q.yaml"}, {"q.yaml", "wristwise plan --help"});
+  expect_invalid({"plan", "p.yml"}, {"p.yml", "no such file"});
+  expect_invalid({"plan", "q.yaml"}, {"q.yaml", "no such file", "'p.yaml'"});
+  expect_invalid({"plan", "."}, {"is a folder", "p.yaml"});
+  expect_invalid({"check", "p.yaml", "."}, {"is a folder", "a trajectory"});
+  expect_invalid({"plan", "p.yaml", "--export", "krll"}, {"'krll'", "'krl'"});
   expect_invalid({"plan", "p.yaml", "--mode", "fast"}, {"--mode", "fast"});
   expect_invalid({"plan", "p.yaml", "--threads", "-1"}, {"--threads"});
   expect_invalid({"plan", "p.yaml", "--out", "p.yaml/deep"}, {"--out", "p.yaml"});
@@ -140,7 +158,7 @@ TEST_F(CommandLine, TrajectoriesThatDoNotFitAreInvalidInput) {
 }
 
 TEST_F(CommandLine, HelpIsNoError) {
-  for (const char* command : {"plan", "smooth", "check", "compare", "info"}) {
+  for (const char* command : {"new", "plan", "smooth", "check", "compare", "place", "info"}) {
     const ProgramRun outcome = run({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
@@ -315,15 +333,23 @@ TEST_F(CommandLine, CompareWritesBoth) {
 
 TEST_F(CommandLine, DefaultFolderIsNamedAfterTheProblem) {
   write(kProblem);
-  ASSERT_EQ(run({"plan", "p.yaml"}).exit_code, 0);
+  const ProgramRun planned = run({"plan", "p.yaml"});
+  ASSERT_EQ(planned.exit_code, 0);
   EXPECT_EQ(result("out/p")["problem"], "p");
+  EXPECT_NE(planned.out.find("next: open out/p/report.html in a browser"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out/p/report.html"));
+  EXPECT_EQ(run({"plan", "p.yaml", "--no-report"}).out.find("report.html"), std::string::npos);
 }
 
 TEST_F(CommandLine, OutOfReachIsDiagnosed) {
   write(replaced(replaced(kProblem, "[0.9, -0.02, 0.5]", "[1.9, -0.02, 0.5]"), "[0.9, 0.02, 0.5]",
                  "[1.9, 0.02, 0.5]"));
   for (const std::string mode : {"two-stage", "graph-only"}) {
-    EXPECT_EQ(run({"plan", "p.yaml", "--mode", mode, "--out", "out"}).exit_code, 1);
+    const ProgramRun outcome = run({"plan", "p.yaml", "--mode", mode, "--out", "out"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.out.find("next: move the seam (path.frame)"), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("wristwise place p.yaml"), std::string::npos) << outcome.out;
     const Json json = result("out");
     EXPECT_EQ(json["status"], "infeasible");
     ASSERT_FALSE(json["diagnosis"].empty());
@@ -340,6 +366,7 @@ TEST_F(CommandLine, InterruptionIsAResult) {
                                          std::chrono::milliseconds(300), SIGINT);
   EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
   EXPECT_EQ(result("out")["status"], "interrupted");
+  EXPECT_NE(outcome.out.find("kept: "), std::string::npos) << outcome.out;
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
+#include "app/output.hpp"
+#include "app/required_file.hpp"
 #include "app/verification_table.hpp"
 #include "io/result_file.hpp"
 #include "wristwise/trajectory_file.hpp"
@@ -11,6 +14,8 @@
 namespace wristwise::app {
 
 int run_check(const CheckCommand& command, const Settings& settings) {
+  require_file(command.problem, "a problem file", ".yaml");
+  require_file(command.trajectory, "a trajectory", ".csv");
   const Problem problem = load_problem(command.problem, load_options(settings));
   const TrajectoryFile file = read_trajectory(command.trajectory, problem.robot->joint_names());
   Verification verification;
@@ -20,8 +25,10 @@ int run_check(const CheckCommand& command, const Settings& settings) {
     verification = check(problem, file, options);
   }
   if (interrupted()) return kInterrupted;
-  fmt::print("{}", command.json ? verification_json(verification, problem)
-                                : verification_table(verification, problem));
+  if (command.json)
+    fmt::print("{}", verification_json(verification, problem));
+  else
+    print(verification_table(verification, problem, Paint(settings.colour, STDOUT_FILENO)));
   return verification.passed ? kSolved : kNotSolved;
 }
 

@@ -1,10 +1,14 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <memory>
 
 #include "app/commands.hpp"
 #include "app/exit_code.hpp"
+#include "app/joint_unit.hpp"
+#include "app/output.hpp"
+#include "app/required_file.hpp"
 #include "app/text_table.hpp"
 #include "wristwise/error.hpp"
 #include "wristwise/inverse_kinematics.hpp"
@@ -30,10 +34,9 @@ std::string limit_text(double value) { return std::isfinite(value) ? short_numbe
 
 std::string joint_table(const Robot& robot) {
   std::vector<TableRow> rows = {
-      {"joint", "type", "unit", "lower", "upper", "velocity", "acceleration", "jerk"}};
+      {"joint", "type", "unit", "lower", "upper", "velocity", "accel.", "jerk"}};
   for (const Joint& joint : robot.joints())
-    rows.push_back({joint.name, type_name(joint.type),
-                    joint.type == JointType::prismatic ? "m" : "rad", limit_text(joint.lower),
+    rows.push_back({joint.name, type_name(joint.type), joint_unit(joint), limit_text(joint.lower),
                     limit_text(joint.upper), limit_text(joint.max_velocity),
                     limit_text(joint.max_acceleration), limit_text(joint.max_jerk)});
   return aligned(rows);
@@ -51,7 +54,8 @@ std::string body_table(const Robot& robot) {
 
 }  // namespace
 
-int run_info(const InfoCommand& command) {
+int run_info(const InfoCommand& command, const Settings& settings) {
+  require_file(command.urdf, "a robot description", ".urdf");
   if (!command.group.empty() && command.srdf.empty())
     throw InvalidInput("--group", "there is no SRDF to look it up in", "--srdf FILE");
   RobotSource source;
@@ -68,12 +72,16 @@ int run_info(const InfoCommand& command) {
   const auto robot = std::make_shared<const Robot>(load_robot(source));
   const InverseKinematicsFound found = find_redundant_inverse_kinematics(robot);
   const bool part_stands_still = robot->part_link() == robot->base_link();
-  fmt::print("{}: {} to {}, {} joints\n{}inverse kinematics: {}\nbodies{}\n{}", robot->name(),
-             robot->part_link(), robot->tip_link(), robot->joint_count(), joint_table(*robot),
-             found.description,
-             part_stands_still ? "" : fmt::format(", seen from {}", robot->part_link()),
-             body_table(*robot));
-  for (const std::string& warning : robot->warnings()) fmt::print("warning: {}\n", warning);
+  const Paint paint(settings.colour, STDOUT_FILENO);
+  std::string text =
+      fmt::format("{}: {} to {}, {} joints\n{}{} {}\n{}{}\n{}", paint.bold(robot->name()),
+                  robot->part_link(), robot->tip_link(), robot->joint_count(), joint_table(*robot),
+                  paint.bold("inverse kinematics:"), found.description, paint.bold("bodies"),
+                  part_stands_still ? "" : fmt::format(", seen from {}", robot->part_link()),
+                  body_table(*robot));
+  for (const std::string& warning : robot->warnings())
+    text += paint.warning("warning:") + " " + warning + "\n";
+  print(text);
   return kSolved;
 }
 

@@ -1,10 +1,12 @@
-#include <fmt/format.h>
+#include <unistd.h>
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/exit_code.hpp"
+#include "app/output.hpp"
 #include "app/output_folder.hpp"
 #include "app/placement_summary.hpp"
+#include "app/required_file.hpp"
 #include "io/placement_file.hpp"
 #include "wristwise/error.hpp"
 
@@ -33,13 +35,14 @@ PlacementResult run(const PlacementRequest& request, const PlanOptions& options,
 }  // namespace
 
 int run_place(const PlaceCommand& command, const Settings& settings) {
+  require_file(command.problem, "a problem file", ".yaml");
   const std::filesystem::path folder = output_folder(command.out, command.problem);
   const PlacementRequest request = load_placement(command.problem, load_options(settings));
   Console console(settings);
   int exit_code = kInternalError;
   const PlacementResult result = run(request, console.plan_options(request.problem), exit_code);
   write_placement(folder, request, result, command.problem);
-  fmt::print("{}", placement_summary(request, result, folder));
+  print(placement_summary(request, result, folder, Paint(settings.colour, STDOUT_FILENO)));
   return exit_code;
 }
 

@@ -1,12 +1,15 @@
-#include <fmt/format.h>
+#include <unistd.h>
 
 #include <optional>
 
 #include "app/commands.hpp"
 #include "app/exports.hpp"
+#include "app/next_steps.hpp"
+#include "app/output.hpp"
 #include "app/output_folder.hpp"
 #include "app/pictures.hpp"
 #include "app/planning_run.hpp"
+#include "app/required_file.hpp"
 #include "app/summary.hpp"
 #include "io/quantity.hpp"
 #include "io/result_file.hpp"
@@ -103,6 +106,8 @@ SmoothingProblem load_without_problem(const SmoothCommand& command) {
 int run_smooth(const SmoothCommand& command, const Settings& settings) {
   require_problem_or_robot(command);
   const bool with_problem = !command.problem.empty();
+  if (with_problem) require_file(command.problem, "a problem file", ".yaml");
+  require_file(command.joints, "a joint path", ".csv");
   const std::filesystem::path folder =
       output_folder(command.out, with_problem ? command.problem : command.joints);
   const std::vector<ProgramFormat> formats = export_formats(command.exports);
@@ -125,9 +130,11 @@ int run_smooth(const SmoothCommand& command, const Settings& settings) {
   const PlanningRun run = run_planner(load, Mode::smooth, repair, settings);
   write_result(folder, run.result, run.problem);
   if (!command.no_report) write_report(folder, {run.problem, run.result, nullptr, run.inputs});
-  fmt::print("{}{}{}", summary(run.result, run.problem, folder),
-             write_exports(formats, folder, run.result, run.problem),
-             write_pictures(command.plot, folder, run.problem, run.result));
+  const Paint paint(settings.colour, STDOUT_FILENO);
+  print(summary(run.result, run.problem, paint) +
+        write_exports(formats, folder, run.result, run.problem) +
+        write_pictures(command.plot, folder, run.problem, run.result) +
+        next_steps(run.result, {command.problem, folder, !command.no_report}, paint));
   return run.exit_code;
 }
 

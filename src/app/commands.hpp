@@ -65,6 +65,16 @@ struct InfoCommand {
   std::vector<std::filesystem::path> packages;
   std::string collision_from = "collision";
 };
-int run_info(const InfoCommand& command);
+int run_info(const InfoCommand& command, const Settings& settings);
+
+struct NewCommand {
+  std::filesystem::path file;  ///< "-": stdout
+  bool force = false;
+  std::filesystem::path urdf;  ///< empty: the robot that ships
+  std::string base_link, part_link, tip_link;
+  std::filesystem::path limits;  ///< empty: joint_limits.yaml beside the URDF, where there is one
+  std::string seam = "line";     ///< line, arc or csv
+};
+int run_new(const NewCommand& command, const Settings& settings);
 
 }  // namespace wristwise::app

@@ -1,14 +1,13 @@
 #include "app/console.hpp"
 
-#include <fmt/format.h>
-
-#include <cstdio>
+#include <unistd.h>
 
 #include "app/interrupt.hpp"
 
 namespace wristwise::app {
 
-Console::Console(const Settings& settings) : settings_(settings), bar_(!settings.quiet) {}
+Console::Console(const Settings& settings)
+    : settings_(settings), paint_(settings.colour, STDERR_FILENO), bar_(!settings.quiet) {}
 
 PlanOptions Console::plan_options(const Problem& problem) {
   PlanOptions options;
@@ -20,8 +19,7 @@ PlanOptions Console::plan_options(const Problem& problem) {
     bar_.show(stage, fraction);
   };
   options.monitor.log = [this](LogLevel level, const std::string& line) {
-    bar_.clear();
-    fmt::print(stderr, "{}{}\n", level == LogLevel::warning ? "warning: " : "", line);
+    bar_.print_line(level == LogLevel::warning ? paint_.warning("warning:") + " " + line : line);
   };
   return options;
 }

@@ -16,6 +16,7 @@ class Console {
 
  private:
   Settings settings_;
+  Paint paint_;
   ProgressBar bar_;
 };
 

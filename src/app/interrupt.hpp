@@ -10,4 +10,7 @@ void catch_interrupts();
 /// Set when the user wants the program to stop.
 const std::atomic<bool>& interrupted();
 
+/// Whether there is a line on the screen that the second signal has to clear.
+void clear_line_when_ended(bool shown);
+
 }  // namespace wristwise::app

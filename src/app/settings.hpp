@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/paint.hpp"
 #include "wristwise/problem.hpp"
 
 namespace wristwise::app {
@@ -9,6 +10,7 @@ struct Settings {
   bool quiet = false;
   int threads = 0;        ///< 0: one per core
   bool no_cache = false;  ///< of meshes
+  ColourChoice colour = ColourChoice::automatic;
 };
 
 inline LoadOptions load_options(const Settings& settings) { return {!settings.no_cache}; }

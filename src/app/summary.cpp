@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "app/joint_unit.hpp"
 #include "app/smoothing_table.hpp"
+#include "app/status_text.hpp"
 #include "app/text_table.hpp"
 #include "app/verification_table.hpp"
 #include "io/peaks.hpp"
@@ -26,24 +28,13 @@ double weld_length(const Task& task) {
   return length;
 }
 
-std::string headline(const PlanResult& result, const Problem& problem) {
+std::string headline(const PlanResult& result, const Problem& problem, const Paint& paint) {
   const Task& task = problem.task;
-  return fmt::format(
-      "{}: {} ({}, {} waypoints, {} m in {} s)\n", problem.name.empty() ? "problem" : problem.name,
-      status_name(result.status), mode_name(result.mode), waypoint_count(result, problem),
-      short_number(weld_length(task)), short_number(task.weld_end() - task.weld_start()));
-}
-
-std::string diagnosis_lines(const PlanResult& result) {
-  std::string text;
-  for (const Diagnosis& entry : result.diagnosis) {
-    if (entry.reason == "verification") continue;  // the table of the check says it
-    text += "  " + entry.reason;
-    if (entry.waypoint) text += fmt::format(" at waypoint {}", *entry.waypoint);
-    text += ": " + entry.detail + "\n";
-    if (!entry.suggestion.empty()) text += "    what would help: " + entry.suggestion + "\n";
-  }
-  return text;
+  return fmt::format("{}: {} ({}, {} waypoints, {} m in {} s)\n",
+                     paint.bold(problem.name.empty() ? "problem" : problem.name),
+                     status_text(result.status, paint), mode_name(result.mode),
+                     waypoint_count(result, problem), short_number(weld_length(task)),
+                     short_number(task.weld_end() - task.weld_start()));
 }
 
 std::string refined_text(const Seed& seed) {
@@ -51,7 +42,7 @@ std::string refined_text(const Seed& seed) {
   return seed.refinement == "not run" ? "" : ", refined: " + seed.refinement;
 }
 
-std::string graph_lines(const PlanResult& result) {
+std::string graph_lines(const PlanResult& result, const Paint& paint) {
   const GraphStatistics& graph = result.graph;
   if (graph.vertices == 0) return {};
   std::vector<TableRow> rows = {
@@ -80,23 +71,23 @@ std::string graph_lines(const PlanResult& result) {
          fmt::format("cost {}, differs at waypoint {}{}", short_number(result.seeds[k].cost),
                      result.seeds[k].differs_at, refined_text(result.seeds[k]))});
   }
-  return "graph\n" + aligned(rows);
+  return paint.bold("stage 1: graph") + "\n" + aligned(rows, 2, Flush::left);
 }
 
-std::string active_lines(const RefineStatistics& refine) {
+std::string active_lines(const RefineStatistics& refine, const Paint& paint) {
   constexpr std::size_t kMost = 5;
   std::string text;
   for (std::size_t i = 0; i < std::min(kMost, refine.active.size()); ++i)
     text += "  " + refine.active[i].sentence + "\n";
-  return text.empty() ? text : "what holds it back\n" + text;
+  return text.empty() ? text : paint.bold("what holds it back") + "\n" + text;
 }
 
-std::string refine_lines(const PlanResult& result) {
+std::string refine_lines(const PlanResult& result, const Paint& paint) {
   const RefineStatistics& refine = result.refine;
   if (!refine.run) return {};
-  std::string text =
-      fmt::format("refinement: {} iterations in {} rounds, {} control points, {}\n",
-                  refine.iterations, refine.rounds, refine.control_points, refine.termination);
+  std::string text = fmt::format("{} {} iterations in {} rounds, {} control points, {}\n",
+                                 paint.bold("stage 2: refinement:"), refine.iterations,
+                                 refine.rounds, refine.control_points, refine.termination);
   std::vector<TableRow> rows = {{"integral of", "before", "after"}};
   double before = 0;
   for (const CostTerm& term : refine.terms) {
@@ -105,24 +96,27 @@ std::string refine_lines(const PlanResult& result) {
     before += term.initial;
   }
   rows.push_back({"sum", short_number(before), short_number(refine.objective)});
-  return text + aligned(rows) + active_lines(refine);
+  return text + aligned(rows) + active_lines(refine, paint);
 }
 
-std::string peak_lines(const PlanResult& result, const Problem& problem) {
+std::string peak_lines(const PlanResult& result, const Problem& problem, const Paint& paint) {
   if (!problem.robot || result.path.size() < 2) return {};
-  std::vector<TableRow> rows = {{"peaks of", "velocity", "acceleration", "jerk"}};
+  std::vector<TableRow> rows = {
+      {paint.bold("peaks of"), "velocity", "acceleration", "jerk", "unit"}};
   for (int j = 0; j < problem.robot->joint_count(); ++j) {
-    TableRow row = {problem.robot->joints()[static_cast<std::size_t>(j)].name};
+    const Joint& joint = problem.robot->joints()[static_cast<std::size_t>(j)];
+    TableRow row = {joint.name};
     for (int order = 1; order <= 3; ++order) {
       const auto peak = peak_derivative(result.path, order);
       row.push_back(peak ? short_number((*peak)[j]) : "-");
     }
+    row.push_back(joint_unit(joint) + ", s");
     rows.push_back(std::move(row));
   }
   return aligned(rows, 0);
 }
 
-std::string note_lines(const PlanResult& result, const Problem& problem) {
+std::string note_lines(const PlanResult& result, const Problem& problem, const Paint& paint) {
   std::string text;
   for (const SceneObject& object : problem.scene.objects) {
     if (!object.convex_error) continue;
@@ -131,39 +125,41 @@ std::string note_lines(const PlanResult& result, const Problem& problem) {
   }
   for (const auto& [first, second] : result.permanent_contacts)
     text += fmt::format("left out, in contact at every posture: {} - {}\n", first, second);
-  for (const std::string& warning : result.warnings) text += "warning: " + warning + "\n";
+  for (const std::string& warning : result.warnings)
+    text += paint.warning("warning:") + " " + warning + "\n";
   return text;
 }
 
-std::string slowed_lines(const PlanResult& result, const Problem& problem) {
+std::string slowed_lines(const PlanResult& result, const Problem& problem, const Paint& paint) {
   std::string text;
   for (const SlowedStretch& stretch : result.slowed) {
-    text += fmt::format("slowed: {:.4g} to {:.4g} s, down to {:.3g}% of the weld speed, by {}\n",
-                        stretch.from, stretch.to, 100 * stretch.least_ratio,
-                        problem.robot->joints()[static_cast<std::size_t>(stretch.joint)].name);
+    text +=
+        fmt::format("{} {:.4g} to {:.4g} s, down to {:.3g}% of the weld speed, by {}\n",
+                    paint.warning("slowed:"), stretch.from, stretch.to, 100 * stretch.least_ratio,
+                    problem.robot->joints()[static_cast<std::size_t>(stretch.joint)].name);
   }
   return text;
 }
 
 std::string timing_line(const Timing& timing) {
   return fmt::format(
-      "time: load {:.3f} s, sampling {:.3f} s, search {:.3f} s, refine {:.3f} s, verify {:.3f} s, "
-      "total {:.3f} s\n",
-      timing.load, timing.sampling, timing.search, timing.refine, timing.verify, timing.total);
+      "time {:.3f} s: load {:.3f}, sampling {:.3f}, search {:.3f}, refine {:.3f}, verify {:.3f}\n",
+      timing.total, timing.load, timing.sampling, timing.search, timing.refine, timing.verify);
 }
 
 }  // namespace
 
-std::string summary(const PlanResult& result, const Problem& problem,
-                    const std::filesystem::path& folder) {
-  std::string text = headline(result, problem) + diagnosis_lines(result);
+std::string summary(const PlanResult& result, const Problem& problem, const Paint& paint) {
+  std::string text = headline(result, problem, paint) + diagnosis_text(result.diagnosis, paint);
   if (!result.inverse_kinematics.empty())
     text += "inverse kinematics: " + result.inverse_kinematics + "\n";
-  text += graph_lines(result) + refine_lines(result);
-  text += result.before ? smoothing_table(result, problem) : peak_lines(result, problem);
-  if (result.verification.run) text += verification_table(result.verification, problem);
-  text += slowed_lines(result, problem) + note_lines(result, problem) + timing_line(result.timing);
-  return text + "written to " + folder.string() + "\n";
+  text += graph_lines(result, paint) + refine_lines(result, paint);
+  text +=
+      result.before ? smoothing_table(result, problem, paint) : peak_lines(result, problem, paint);
+  if (result.verification.run) text += verification_table(result.verification, problem, paint);
+  text += slowed_lines(result, problem, paint) + note_lines(result, problem, paint) +
+          timing_line(result.timing);
+  return text;
 }
 
 }  // namespace wristwise::app

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
+#include "app/paint.hpp"
 #include "wristwise/plan.hpp"
 
 namespace wristwise::app {
 
-/// What was planned and where it is, for people.
-std::string summary(const PlanResult& result, const Problem& problem,
-                    const std::filesystem::path& folder);
+/// What was planned, for people.
+std::string summary(const PlanResult& result, const Problem& problem, const Paint& paint);
 
 }  // namespace wristwise::app

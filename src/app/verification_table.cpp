@@ -8,6 +8,12 @@ namespace wristwise::app {
 
 namespace {
 
+/// "1.2e-7 m, 3e-8 rad": the largest excess of a position and of an angle.
+std::string excess_text(const Vector6& excess) {
+  return fmt::format("{} m, {} rad", short_number(excess.head<3>().maxCoeff()),
+                     short_number(excess.tail<3>().maxCoeff()));
+}
+
 std::string ratio_text(double ratio, int joint, const Problem& problem) {
   if (joint < 0) return short_number(ratio);
   return fmt::format("{} ({})", short_number(ratio),
@@ -16,7 +22,7 @@ std::string ratio_text(double ratio, int joint, const Problem& problem) {
 
 std::string clearance_text(const Verification& verification, const Problem& problem) {
   if (!verification.clearance) return "no pair counts";
-  return fmt::format("{} m of {} m ({} - {}, {} s)", short_number(*verification.clearance),
+  return fmt::format("{} of {} m ({} - {}, {} s)", short_number(*verification.clearance),
                      problem.scene.clearance, verification.clearance_pair.first,
                      verification.clearance_pair.second, short_number(verification.clearance_time));
 }
@@ -49,15 +55,16 @@ std::vector<TableRow> certificate(const Verification& verification) {
 
 }  // namespace
 
-std::string excess_text(const Vector6& excess) {
-  return fmt::format("{} m, {} rad", short_number(excess.head<3>().maxCoeff()),
-                     short_number(excess.tail<3>().maxCoeff()));
+std::string checked_text(const Verification& verification, const Paint& paint) {
+  if (!verification.run) return paint.warning("not run");
+  return verification.passed ? paint.good("passed") : paint.bad("FAILED");
 }
 
-std::string verification_table(const Verification& verification, const Problem& problem) {
+std::string verification_table(const Verification& verification, const Problem& problem,
+                               const Paint& paint) {
   if (!verification.run) return "not checked\n";
   std::string text = fmt::format(
-      "check {} ({}, {} samples)\n", verification.passed ? "passed" : "FAILED",
+      "{} {} ({}, {} samples)\n", paint.bold("check"), checked_text(verification, paint),
       verification.curve ? "a curve" : "points joined by straight moves", verification.samples);
   std::vector<TableRow> rows = {
       {"outside the tolerance at waypoints", excess_text(verification.tolerance_excess)},
@@ -72,9 +79,11 @@ std::string verification_table(const Verification& verification, const Problem& 
                                                      verification.acceleration_joint, problem)});
   rows.push_back(
       {"jerk / limit", ratio_text(verification.jerk_ratio, verification.jerk_joint, problem)});
-  text += aligned(rows);
-  for (const std::string& line : verification.failures) text += "  failure: " + line + "\n";
-  for (const std::string& line : verification.warnings) text += "  warning: " + line + "\n";
+  text += aligned(rows, 2, Flush::left);
+  for (const std::string& line : verification.failures)
+    text += "  " + paint.bad("failure:") + " " + line + "\n";
+  for (const std::string& line : verification.warnings)
+    text += "  " + paint.warning("warning:") + " " + line + "\n";
   return text;
 }
 

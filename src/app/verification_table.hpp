@@ -2,14 +2,16 @@
 
 #include <string>
 
+#include "app/paint.hpp"
 #include "wristwise/plan.hpp"
 
 namespace wristwise::app {
 
 /// What the independent check found, for people.
-std::string verification_table(const Verification& verification, const Problem& problem);
+std::string verification_table(const Verification& verification, const Problem& problem,
+                               const Paint& paint);
 
-/// "1.2e-7 m, 3e-8 rad": the largest excess of a position and of an angle.
-std::string excess_text(const Vector6& excess);
+/// "passed", "FAILED" or "not run".
+std::string checked_text(const Verification& verification, const Paint& paint);
 
 }  // namespace wristwise::app

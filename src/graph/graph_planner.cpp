@@ -22,14 +22,31 @@ constexpr double kTurn = 6.28318530717958647692;
 constexpr double kAnySpeed = 1e4;                 // times the time: no joint is too slow for a move
 constexpr std::size_t kChecksAtAnySpeed = 10000;  // of moves
 
-/// Searches are repeated; what they report as progress must not go back.
+/// Searches are repeated, nobody knows how often. What they report as progress must not go back, nor
+/// stand at its end: the first pass takes half of the way, each other one a share of what is left.
+class SearchProgress {
+ public:
+  double operator()(double fraction) {
+    if (fraction < last_) {
+      base_ = shown_;
+      share_ = kLaterShare;
+    }
+    last_ = fraction;
+    return shown_ = std::max(shown_, base_ + share_ * (1 - base_) * fraction);
+  }
+
+ private:
+  static constexpr double kLaterShare = 0.04;
+
+  double last_ = 0, base_ = 0, shown_ = 0, share_ = 0.5;
+};
+
 Monitor never_back(const Monitor& monitor) {
   Monitor result = monitor;
   if (!monitor.progress) return result;
-  result.progress = [report = monitor.progress, last = std::make_shared<double>(0)](
+  result.progress = [report = monitor.progress, search = std::make_shared<SearchProgress>()](
                         const std::string& stage, double fraction) {
-    if (stage == "search") fraction = *last = std::max(*last, fraction);
-    report(stage, fraction);
+    report(stage, stage == "search" ? (*search)(fraction) : fraction);
   };
   return result;
 }

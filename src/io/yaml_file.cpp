@@ -112,7 +112,8 @@ ConfigNode read_yaml(const std::filesystem::path& file) {
       throw InvalidInput(converter.place(1), "not a list of keys and values", "a YAML map");
     return root;
   } catch (const YAML::Exception& error) {
-    throw InvalidInput(converter.place(std::max(0, error.mark.line) + 1),
+    const std::string column = std::to_string(std::max(0, error.mark.column) + 1);
+    throw InvalidInput(converter.place(std::max(0, error.mark.line) + 1) + ":" + column,
                        "not valid YAML: " + error.msg);
   }
 }

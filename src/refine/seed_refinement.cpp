@@ -1,5 +1,6 @@
 #include "refine/seed_refinement.hpp"
 
+#include <string>
 #include <utility>
 
 #include "cancelled.hpp"
@@ -21,6 +22,16 @@ Refined refine_or_stop(const RefinementInput& input, const JointPath& seed) {
   }
 }
 
+/// Of several seeds progress says which it is of: "refine seed 2 of 3".
+Monitor monitor_of_seed(const Monitor& monitor, std::size_t seed, std::size_t count) {
+  if (count < 2 || !monitor.progress) return monitor;
+  Monitor own = monitor;
+  own.progress =
+      [&monitor, which = " seed " + std::to_string(seed + 1) + " of " + std::to_string(count)](
+          const std::string& stage, double fraction) { monitor.report(stage + which, fraction); };
+  return own;
+}
+
 }  // namespace
 
 Refined refine_seeds(const RefinementInput& input, std::vector<Seed>& seeds, int threads) {
@@ -28,8 +39,9 @@ Refined refine_seeds(const RefinementInput& input, std::vector<Seed>& seeds, int
   Monitor silent;
   silent.cancel = input.monitor.cancel;
   parallel_for(seeds.size(), threads, [&](int worker, std::size_t i) {
+    const Monitor monitor = worker == 0 ? monitor_of_seed(input.monitor, i, seeds.size()) : silent;
     const RefinementInput own{input.robot, input.task,    input.clearance,
-                              input.cost,  input.options, worker == 0 ? input.monitor : silent};
+                              input.cost,  input.options, monitor};
     refined[i] = refine_or_stop(own, seeds[i].path);
   });
   std::size_t best = 0;
