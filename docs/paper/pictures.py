@@ -27,27 +27,40 @@ COPIED = {
     "paper_13.svg": (HERE / "task_c_past_the_plate.yaml", "joint_positions.svg"),
     "paper_13_spin.svg": (HERE / "task_c_with_spin.yaml", "joint_positions.svg"),
     "paper_15.svg": (HERE / "task_b_improved_cost.yaml", "joint_positions.svg"),
-    "plot_joints.svg": (ROOT / "problems" / "task_c_wrist_singularity.yaml", "joints.svg"),
-    "plot_tolerance.svg": (ROOT / "problems" / "corner_stop.yaml", "tolerance.svg"),
 }
 
-# Side by side: heading, command, problem, panel of tolerance.svg.
+# Side by side: heading, command, problem, picture of --plot and panel in it.
+TASK_C = ROOT / "problems" / "task_c_wrist_singularity.yaml"
+CORNER = ROOT / "problems" / "corner_stop.yaml"
 SIDE_BY_SIDE = {
     "paper_10.svg": [
-        ("Graph-only, moves not checked: jumps", ["plan", "--mode", "graph-only"], HERE / "task_b_unchecked_moves.yaml", "rx deviation"),
+        ("Graph-only, moves not checked: jumps", ["plan", "--mode", "graph-only"],
+         HERE / "task_b_unchecked_moves.yaml", "tolerance.svg", "rx deviation"),
         ("Two-stage: stops before the plate", ["plan"],
-         ROOT / "problems" / "task_b_jump.yaml", "rx deviation"),
+         ROOT / "problems" / "task_b_jump.yaml", "tolerance.svg", "rx deviation"),
     ],
     "paper_14.svg": [
-        ("Standard cost (eq. 4)", ["compare"], HERE / "task_b_standard_cost.yaml", "ry deviation"),
-        ("Improved cost (eq. 9)", ["compare"], HERE / "task_b_improved_cost.yaml", "ry deviation"),
+        ("Standard cost (eq. 4)", ["compare"], HERE / "task_b_standard_cost.yaml", "tolerance.svg", "ry deviation"),
+        ("Improved cost (eq. 9)", ["compare"], HERE / "task_b_improved_cost.yaml", "tolerance.svg", "ry deviation"),
+    ],
+    "plot_joints.svg": [
+        (name, ["compare"], TASK_C, "joints.svg", f"joint_a6 {name}")
+        for name in ("position", "velocity", "acceleration", "jerk")
+    ],
+    "plot_tolerance.svg": [
+        ("deviation", ["compare"], CORNER, "tolerance.svg", "ry deviation"),
+        ("share of the tolerance", ["compare"], CORNER, "tolerance.svg", "ry share"),
     ],
 }
 
+RESULT, BEHIND, EDGE = "#1f6fd0", "#9b9b9b", "#c62828"
+MOTIONS = [("two-stage", RESULT, None), ("graph-only", BEHIND, None)]
+EDGES = [("edge of the tolerance", EDGE, "5 3")]
 LEGEND = {
-    "paper_10.svg": [("what is found", "#1f6fd0", None), ("edge of the tolerance", "#c62828", "5 3")],
-    "paper_14.svg": [("two-stage", "#1f6fd0", None), ("graph-only", "#9b9b9b", None),
-                     ("edge of the tolerance", "#c62828", "5 3")],
+    "paper_10.svg": [("what is found", RESULT, None), *EDGES],
+    "paper_14.svg": MOTIONS + EDGES,
+    "plot_joints.svg": MOTIONS,
+    "plot_tolerance.svg": MOTIONS + EDGES,
 }
 
 
@@ -124,8 +137,8 @@ def main():
             (PICTURES / name).write_bytes((folder_of(["compare"], problem) / picture).read_bytes())
         for name, runs in SIDE_BY_SIDE.items():
             parts = []
-            for index, (heading, command, problem, panel_name) in enumerate(runs):
-                parts.append((heading, *panel(folder_of(command, problem) / "tolerance.svg", panel_name, index)))
+            for index, (heading, command, problem, picture, panel_name) in enumerate(runs):
+                parts.append((heading, *panel(folder_of(command, problem) / picture, panel_name, index)))
             side_by_side(parts, LEGEND[name], PICTURES / name)
 
 

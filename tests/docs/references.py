@@ -9,7 +9,7 @@ import xml.etree.ElementTree
 from pages import Page, Span
 
 FOLDERS = "src|tests|include|docs|problems|robots"
-LARGEST_DRAWING = 100_000  # bytes
+LARGEST_DRAWING = 60_000  # bytes
 
 
 def with_alternatives(pattern: str) -> list[str]:

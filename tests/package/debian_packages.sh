@@ -46,7 +46,8 @@ contents() {
   holds wristwise usr/bin/wristwise usr/share/wristwise/problem-file.schema.json \
     usr/share/wristwise/problems/task_c_wrist_singularity.yaml \
     usr/share/wristwise/robots/kuka_kr5_arc/kuka_kr5_arc.urdf \
-    usr/share/man/man1/wristwise.1.gz usr/share/doc/wristwise/install.md
+    usr/share/bash-completion/completions/wristwise usr/share/man/man1/wristwise.1.gz \
+    usr/share/doc/wristwise/install.md
   holds "$(library)" "usr/lib/.*libwristwise\.so\.$(version)" \
     "usr/lib/.*libwristwise\.so\.$(version | cut -d. -f1,2)"
   holds libwristwise-dev usr/include/wristwise/wristwise.hpp usr/include/wristwise/version.hpp \

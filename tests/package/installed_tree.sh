@@ -68,6 +68,7 @@ program() {
     --out "$place/out/mesh"
   [ ! -e "$place/share/wristwise/problems/.wristwise_cache" ] || fail "it could write"
   grep -q '"status": "solved"' "$place/out/mesh/result.json"
+  "${run[@]}" "$place/bin/wristwise" new "$place/out/new.yaml"
   "$place/bin/wristwise" --version | grep -x "wristwise [0-9]*\.[0-9]*\.[0-9]*"
 }
 
@@ -75,7 +76,7 @@ program() {
 man_page() {
   local page option command
   page=$(gzip -dc "$tree/share/man/man1/wristwise.1.gz" | sed 's/\\-/-/g')
-  for command in '' plan smooth check compare place info; do
+  for command in '' new plan smooth check compare place info; do
     # shellcheck disable=SC2086
     for option in $("$tree/bin/wristwise" $command --help | grep -oE -e '--[a-z-]+' | sort -u); do
       grep -qe "$option" <<<"$page" || fail "no $option in the manual page"
