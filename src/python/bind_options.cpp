@@ -57,6 +57,10 @@ void bind_cost(py::module_& module) {
       .field("edge_cost", &CostOptions::edge_cost,
              "own cost of a move in the interval after a waypoint: f(interval, from, to) -> as "
              "vertex_cost")
+      .field("posture_residuals", &CostOptions::posture_residuals,
+             "own residuals of stage 2, f(time, q) -> (r, dr/dq): each adds the integral of r^2; "
+             "time in s, q and dr/dq of shape (joints,), r smooth in both. Called from several "
+             "threads, one at a time")
       .field("joint_weights", &CostOptions::joint_weights,
              "of each joint's step or derivatives, shape (joints,); empty: ones")
       .done();
@@ -90,6 +94,8 @@ void bind_graph(py::module_& module) {
       .field("turns", &GraphOptions::turns, "Turns")
       .field("max_stray", &GraphOptions::max_stray,
              "m; no edge on which the TCP strays farther from the seam; inf: any")
+      .field("check_moves", &GraphOptions::check_moves,
+             "False: moves are not swept for clearance and stray, only postures are checked")
       .field("max_tcp_step", &GraphOptions::max_tcp_step, "m, from waypoint to waypoint")
       .field("max_tcp_turn", &GraphOptions::max_tcp_turn, "rad, from waypoint to waypoint")
       .field("collision_checks", &GraphOptions::collision_checks, "CollisionChecks")

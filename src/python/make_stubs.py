@@ -42,7 +42,8 @@ TYPES = [
 
 def python_type(text, use):
     text = text.strip()
-    if text.startswith("Optional[Callable"):  # of a callback the argument and result change places
+    if "Callable[" in text:  # of a callback argument and result change places
+        text = re.sub(r"^Tuple\[(.*), \.\.\.\]$", (r"Sequence[\1]", r"Tuple[\1, ...]")[use], text)
         return re.sub(r"\bArray\[[^\]]*\]", "NDArray[numpy.float64]", text)
     for pattern, argument, result in TYPES:
         text = re.sub(pattern, (argument, result)[use], text)

@@ -97,6 +97,11 @@ Problem PlannerRun::guarded(const Problem& problem) {
                                                                const JointVector& to) {
       return guard(0.0, [&] { return own(interval, from, to); });
     };
+  for (PostureResidual& residual : copy.cost.posture_residuals)
+    residual = [this, own = residual](double time, const JointVector& q, JointVector* gradient) {
+      if (gradient != nullptr) *gradient = JointVector::Zero(q.size());
+      return guard(0.0, [&] { return own(time, q, gradient); });
+    };
   if (problem.inverse_kinematics)
     copy.inverse_kinematics = std::make_shared<GuardedInverseKinematics>(
         *this, problem.inverse_kinematics, problem.robot ? problem.robot->joint_count() : 0);

@@ -1,6 +1,8 @@
 #include "python_costs.hpp"
 
+#include <cmath>
 #include <string>
+#include <utility>
 
 #include "wristwise/error.hpp"
 
@@ -30,6 +32,23 @@ double PythonCost::operator()(std::size_t interval, const JointVector& from,
                               const JointVector& to) const {
   const py::gil_scoped_acquire lock;
   return checked_cost(callable.get()(interval, from, to), "edge_cost", interval);
+}
+
+double PythonResidual::operator()(double time, const JointVector& q, JointVector* gradient) const {
+  const py::gil_scoped_acquire lock;
+  const py::object answer = callable.get()(time, q);
+  const char* expected = "a pair: a finite number, and its gradient with a finite one per joint";
+  try {
+    const auto [value, slope] = answer.cast<std::pair<double, JointVector>>();
+    if (std::isfinite(value) && slope.size() == q.size() && slope.allFinite()) {
+      if (gradient != nullptr) *gradient = slope;
+      return value;
+    }
+  } catch (const py::cast_error&) {
+  } catch (const BadArray&) {
+  }
+  throw InvalidInput("posture_residuals", "returned " + py::repr(answer).cast<std::string>(),
+                     expected);
 }
 
 }  // namespace wristwise::python

@@ -22,6 +22,12 @@ struct PythonCost {
   double operator()(std::size_t interval, const JointVector& from, const JointVector& to) const;
 };
 
+/// f(time, q) -> (r, dr/dq) as a PostureResidual; as PythonCost.
+struct PythonResidual {
+  PythonReference callable;
+  double operator()(double time, const JointVector& q, JointVector* gradient) const;
+};
+
 }  // namespace wristwise::python
 
 namespace pybind11::detail {
@@ -64,6 +70,22 @@ struct type_caster<wristwise::python::EdgeCost> : cost_caster<wristwise::python:
   bool load(handle source, bool) { return load_into(value, source); }
   static handle cast(const wristwise::python::EdgeCost& cost, return_value_policy, handle) {
     return object_of(cost);
+  }
+};
+
+template <>
+struct type_caster<wristwise::PostureResidual> {
+  PYBIND11_TYPE_CASTER(wristwise::PostureResidual,
+                       const_name("Callable[[float, Array[joints]], Tuple[float, ArrayLike]]"));
+  bool load(handle source, bool) {
+    if (!PyCallable_Check(source.ptr())) return false;
+    value = wristwise::python::PythonResidual{
+        wristwise::python::PythonReference(reinterpret_borrow<object>(source))};
+    return true;
+  }
+  static handle cast(const wristwise::PostureResidual& residual, return_value_policy, handle) {
+    const auto* own = residual.target<wristwise::python::PythonResidual>();
+    return own != nullptr ? own->callable.get().inc_ref() : none().release();
   }
 };
 

@@ -108,6 +108,39 @@ def test_own_costs_are_those_of_the_path(load):
     assert seen
 
 
+def test_a_residual_of_ones_own_draws_the_motion(seam_problem):
+    """With a large weight joint 6 goes where it is asked to: the spin is free."""
+    plain = wristwise.plan(seam_problem)
+    wanted = plain.trajectory.positions[:, 5].mean() + 0.05
+    gradient = numpy.array([0, 0, 0, 0, 0, 3.0])
+
+    def residual(time, q):
+        return 3.0 * (q[5] - wanted), gradient
+
+    seam_problem.cost.posture_residuals = [residual]
+    assert seam_problem.cost.posture_residuals == (residual,)
+    drawn = wristwise.plan(seam_problem)
+    assert drawn.status == wristwise.Status.solved
+    before, after = (abs(result.trajectory.positions[:, 5] - wanted).mean() for result in (plain, drawn))
+    assert after < 0.2 * before
+
+
+@pytest.mark.parametrize("answer", [1.0, (1.0, [1, 2]), (math.nan, [0] * 6), (1.0, [math.inf] * 6), None])
+def test_a_residual_that_is_none_is_refused(seam_problem, answer):
+    seam_problem.cost.posture_residuals = [lambda time, q: answer]
+    with pytest.raises(wristwise.InvalidInput, match="posture_residuals: returned .* expected a pair"):
+        wristwise.plan(seam_problem)
+
+
+def test_what_a_residual_raises_comes_out(seam_problem):
+    def residual(time, q):
+        raise Boom("at once")
+
+    seam_problem.cost.posture_residuals = [residual]
+    with pytest.raises(Boom, match="at once"):
+        wristwise.plan(seam_problem)
+
+
 class OwnKinematics(wristwise.InverseKinematics):
     """A closed form by way of Python."""
 
