@@ -16,32 +16,34 @@ namespace WRISTWISE_PUBLIC wristwise {
 
 /// Straight, turning at a constant rate about one axis.
 struct LineSegment {
-  Pose from, to;
+  Pose from;  ///< path frame, in base, m
+  Pose to;    ///< path frame, in base, m
 };
 /// `from` turned rigidly about an axis through the center.
 struct ArcSegment {
-  Pose from;
+  Pose from;               ///< path frame, in base, m
   Eigen::Vector3d center;  ///< m
   Eigen::Vector3d axis;    ///< of any length but zero
   double angle;            ///< rad, right-handed
 };
 /// Poses joined by lines.
 struct PoseListSegment {
-  std::vector<Pose> poses;
+  std::vector<Pose> poses;              ///< path frames, in base, m
   std::vector<double> times = {};       ///< s, increasing; empty: by the speed
   std::vector<std::string> where = {};  ///< one per pose, or none
 };
 /// Joint waypoints, cut to the joint limits; moves between them are timed by the nominal postures.
 struct JointListSegment {
-  std::vector<JointBox> postures;
+  std::vector<JointBox> postures;       ///< rad or m, one value or range for each joint
   std::vector<std::string> where = {};  ///< one per posture, or none
 };
 
 /// A part of the seam. Each begins where the one before it ends.
 struct Segment {
-  std::variant<LineSegment, ArcSegment, PoseListSegment, JointListSegment> shape;
-  ToleranceBox tolerance = {};
-  std::string where = {};
+  std::variant<LineSegment, ArcSegment, PoseListSegment, JointListSegment>
+      shape;                    ///< of one of these kinds
+  ToleranceBox tolerance = {};  ///< of its waypoints, and between them
+  std::string where = {};       ///< names it in messages; empty: its number
 };
 
 /// Between rest and the weld speed, before or after the seam. Either straight on along its tangent
@@ -50,18 +52,19 @@ struct RunDescription {
   double length = 0;                      ///< m
   std::optional<Eigen::Vector3d> away{};  ///< m, in the path frame of the seam's end
   std::optional<double> duration{};       ///< s, with `away`; else twice the time at weld speed
-  std::string where = {};
+  std::string where = {};                 ///< names it in messages
 };
 
 /// A seam as a welder describes it; what `path` of a problem file says.
 struct SeamDescription {
-  std::vector<Segment> segments;
-  std::optional<double> speed;    ///< m/s; needed where not every pose has a time
-  std::optional<double> spacing;  ///< m, the longest interval between waypoints; or:
-  std::optional<int> waypoints;   ///< of the whole seam, without run-in and run-out
-  CornerOptions corners;
-  std::optional<RunDescription> run_in, run_out;
-  std::string where;
+  std::vector<Segment> segments;          ///< one or more, in order
+  std::optional<double> speed;            ///< m/s; needed where not every pose has a time
+  std::optional<double> spacing;          ///< m, the longest interval between waypoints; or:
+  std::optional<int> waypoints;           ///< of the whole seam, without run-in and run-out
+  CornerOptions corners;                  ///< what happens where the direction jumps
+  std::optional<RunDescription> run_in;   ///< from rest; none: it begins at weld speed
+  std::optional<RunDescription> run_out;  ///< to rest; none: it ends at weld speed
+  std::string where;                      ///< names it in messages
 };
 
 /// Joins the segments, treats their corners, gives them their times, cuts them into waypoints and

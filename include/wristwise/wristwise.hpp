@@ -20,7 +20,7 @@
 /// InvalidInput; no solution is a result with a diagnosis. The library never prints, and its
 /// results do not depend on the number of threads.
 ///
-/// @include plan_a_seam.cpp
+/// @include 01_plan_a_seam.cpp
 
 /// Everything of the library is in this namespace.
 namespace wristwise {}
