@@ -5,7 +5,7 @@
 
 #include "app/planning_run.hpp"
 #include "app/settings.hpp"
-#include "wristwise/export_options.hpp"
+#include "wristwise/robot_program.hpp"
 
 namespace wristwise::app {
 
