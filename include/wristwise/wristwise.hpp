@@ -22,8 +22,10 @@
 ///
 /// @include 01_plan_a_seam.cpp
 
+#include "wristwise/visibility.hpp"
+
 /// Everything of the library is in this namespace.
-namespace wristwise {}
+namespace WRISTWISE_PUBLIC wristwise {}
 
 #include "wristwise/clearance.hpp"
 #include "wristwise/corner_options.hpp"

@@ -22,8 +22,9 @@ constexpr double kTurn = 6.28318530717958647692;
 constexpr double kAnySpeed = 1e4;                 // times the time: no joint is too slow for a move
 constexpr std::size_t kChecksAtAnySpeed = 10000;  // of moves
 
-/// Searches are repeated, nobody knows how often. What they report as progress must not go back, nor
-/// stand at its end: the first pass takes half of the way, each other one a share of what is left.
+/// Searches are repeated, nobody knows how often. What they report as progress must not go back,
+/// nor stand at its end before it is there: the first pass takes half of the way, each other one a
+/// share of what is left.
 class SearchProgress {
  public:
   double operator()(double fraction) {
@@ -271,7 +272,9 @@ class GraphPlanner {
 
 GraphPlan plan_graph(const SamplingInput& input, const Task& task, double epsilon, int threads,
                      const Monitor& monitor, Timing& timing, Speed speed) {
-  return GraphPlanner(input, task, epsilon, threads, monitor, timing, speed).run();
+  GraphPlan plan = GraphPlanner(input, task, epsilon, threads, monitor, timing, speed).run();
+  monitor.report("search", 1);
+  return plan;
 }
 
 }  // namespace wristwise
