@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # installed_tree.sh CASE SOURCE BUILD FOLDER: a tree that `cmake --install` made, moved to FOLDER/tree.
 set -euo pipefail
-source=$2 build=$3 folder=$4
+case=$1 source=$2 build=$3 folder=$4
 tree=$folder/tree
 consumer=$source/tests/consumer/consumer.cpp
 problem=$tree/share/wristwise/problems/task_c_wrist_singularity.yaml
@@ -136,18 +136,18 @@ consumer_wider_vectors() {
 
 # found VERSION [COMPONENT...]: what a project that asks for them is given
 found() {
-  local version=$1
+  local version=$1 project=$folder/found_by_$case
   shift
-  mkdir -p "$folder/components"
-  cat >"$folder/components/CMakeLists.txt" <<END
+  mkdir -p "$project"
+  cat >"$project/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.25)
 project(components LANGUAGES CXX)
 find_package(wristwise $version REQUIRED COMPONENTS $*)
 get_target_property(chosen wristwise::wristwise ALIASED_TARGET)
 message(STATUS "chosen: \${chosen}")
 END
-  rm -rf "$folder/components/build"
-  cmake -S "$folder/components" -B "$folder/components/build" -DCMAKE_PREFIX_PATH="$tree" 2>&1
+  rm -rf "$project/build"
+  cmake -S "$project" -B "$project/build" -DCMAKE_PREFIX_PATH="$tree" 2>&1
 }
 
 components() {
