@@ -22,3 +22,11 @@ problem = wristwise.Problem(
     scene=wristwise.Scene(objects=[plate], clearance=0.005),
     graph=wristwise.GraphOptions(step=numpy.radians([0, 0, 0, 5, 5, 20])))
 assert wristwise.plan(problem).status == wristwise.Status.solved
+
+# As a problem file says it: lines, arcs, joint waypoints, corners, run-in and run-out.
+line = wristwise.LineSegment(from_=frames[0], to=frames[-1])
+description = wristwise.SeamDescription(
+    segments=[wristwise.Segment(shape=line, tolerance=box)], speed=0.01, spacing=0.01,
+    run_in=wristwise.RunDescription(length=0.01), run_out=wristwise.RunDescription(length=0.01))
+problem.task = wristwise.build_task(robot, description)
+assert wristwise.plan(problem).status == wristwise.Status.solved

@@ -20,6 +20,7 @@ void bind_clearance(py::module_& module);
 void bind_trajectory(py::module_& module);
 void bind_seam(py::module_& module);
 void bind_task(py::module_& module);
+void bind_seam_description(py::module_& module);
 void bind_trajectory_file(py::module_& module);
 void bind_options(py::module_& module);
 void bind_export_options(py::module_& module);

@@ -65,6 +65,7 @@ PYBIND11_MODULE(_wristwise, module) {
   bind_clearance(module);
   bind_trajectory(module);
   bind_seam(module);
+  bind_seam_description(module);
   bind_trajectory_file(module);
   bind_options(module);
   bind_export_options(module);
