@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "gantry_urdf.hpp"
+#include "kr5_robot_section.hpp"
 #include "run_program.hpp"
 #include "temporary_folder.hpp"
 #include "wristwise/trajectory_file.hpp"
@@ -20,15 +21,7 @@ using test::replaced;
 using test::run_program;
 using test::TemporaryFolder;
 
-const std::string kRobotFolder = std::string(WRISTWISE_SOURCE_DIR) + "/robots/kuka_kr5_arc/";
-
-const std::string kProblem = "robot:\n  urdf: " + kRobotFolder +
-                             "kuka_kr5_arc.urdf\n"
-                             "  base_link: base_link\n"
-                             "  tip_link: tool0\n"
-                             "  limits: " +
-                             kRobotFolder +
-                             "joint_limits.yaml\n"
+const std::string kProblem = test::kKr5RobotSection +
                              "scene: {collision: off}\n"
                              "path:\n"
                              "  speed: 0.01\n"
@@ -107,7 +100,8 @@ TEST_F(CommandLine, WhatIsNoYamlIsNamedWithLineAndColumn) {
 }
 
 TEST_F(CommandLine, EmptySeam) {
-  write("robot: {urdf: " + kRobotFolder + "kuka_kr5_arc.urdf}\npath: {speed: 1, segments: []}\n");
+  write("robot: {urdf: " + test::kKr5Folder +
+        "kuka_kr5_arc.urdf}\npath: {speed: 1, segments: []}\n");
   expect_invalid({"plan", "p.yaml"}, {"p.yaml:2", "path.segments"});
 }
 
@@ -116,7 +110,7 @@ TEST_F(CommandLine, JointWithoutLimits) {
                 "<robot name='r'><link name='a'/><link name='b'/><joint name='lone' "
                 "type='revolute'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/></joint>"
                 "</robot>");
-  write(replaced(replaced(replaced(kProblem, kRobotFolder + "kuka_kr5_arc.urdf", "r.urdf"),
+  write(replaced(replaced(replaced(kProblem, test::kKr5Folder + "kuka_kr5_arc.urdf", "r.urdf"),
                           "base_link: base_link", "base_link: a"),
                  "tip_link: tool0", "tip_link: b"));
   expect_invalid({"plan", "p.yaml"}, {"r.urdf", "lone"});
@@ -167,7 +161,7 @@ TEST_F(CommandLine, HelpIsNoError) {
 }
 
 TEST_F(CommandLine, InfoShowsChainAndInverseKinematics) {
-  const ProgramRun outcome = run({"info", kRobotFolder + "kuka_kr5_arc.urdf"});
+  const ProgramRun outcome = run({"info", test::kKr5Folder + "kuka_kr5_arc.urdf"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* part : {"joint_a1", "joint_a6", "6 joints", "inverse kinematics", "torch"})
     EXPECT_NE(outcome.out.find(part), std::string::npos) << outcome.out;

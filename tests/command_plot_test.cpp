@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "kr5_robot_section.hpp"
 #include "plot_reader.hpp"
 #include "run_program.hpp"
 #include "temporary_folder.hpp"
@@ -13,16 +14,8 @@ using test::ProgramRun;
 using test::replaced;
 using test::run_program;
 
-const std::string kRobotFolder = std::string(WRISTWISE_SOURCE_DIR) + "/robots/kuka_kr5_arc/";
-
 const std::string kProblem =
-    "robot:\n  urdf: " + kRobotFolder +
-    "kuka_kr5_arc.urdf\n"
-    "  base_link: base_link\n"
-    "  tip_link: tool0\n"
-    "  limits: " +
-    kRobotFolder +
-    "joint_limits.yaml\n"
+    test::kKr5RobotSection +
     "path:\n"
     "  speed: 0.01\n"
     "  waypoints: 5\n"
@@ -72,8 +65,8 @@ TEST_F(CommandPlot, CompareAndSmoothDrawBoth) {
   expect_exit(0, {"smooth", "p.yaml", "--joints", "c/graph-only/trajectory.csv", "--out", "s",
                   "--plot", "--no-report"});
   EXPECT_EQ(read("s/joints.svg").lines("joint_a4 velocity"), (Names{"as given", "smoothed"}));
-  expect_exit(0, {"smooth", "--urdf", kRobotFolder + "kuka_kr5_arc.urdf", "--tip", "tool0",
-                  "--limits", kRobotFolder + "joint_limits.yaml", "--keep", "0.5mm,0.5deg",
+  expect_exit(0, {"smooth", "--urdf", test::kKr5Folder + "kuka_kr5_arc.urdf", "--tip", "tool0",
+                  "--limits", test::kKr5Folder + "joint_limits.yaml", "--keep", "0.5mm,0.5deg",
                   "--joints", "c/graph-only/trajectory.csv", "--out", "k", "--plot"});
   EXPECT_EQ(read("k/joints.svg").lines("joint_a4 jerk"), (Names{"as given", "smoothed"}));
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/sha256.hpp"
+#include "kr5_robot_section.hpp"
 #include "run_program.hpp"
 #include "temporary_folder.hpp"
 
@@ -16,15 +17,7 @@ using test::replaced;
 using test::run_program;
 using test::TemporaryFolder;
 
-const std::string kRobotFolder = std::string(WRISTWISE_SOURCE_DIR) + "/robots/kuka_kr5_arc/";
-
-const std::string kProblem = "robot:\n  urdf: " + kRobotFolder +
-                             "kuka_kr5_arc.urdf\n"
-                             "  base_link: base_link\n"
-                             "  tip_link: tool0\n"
-                             "  limits: " +
-                             kRobotFolder +
-                             "joint_limits.yaml\n"
+const std::string kProblem = test::kKr5RobotSection +
                              "scene:\n"
                              "  objects: [{name: wedge, mesh: wedge.obj, xyz: [0, 2, 0]}]\n"
                              "path:\n"
@@ -77,8 +70,8 @@ TEST_F(CommandReport, PlanHashesEveryFileItRead) {
     names.push_back(input["name"]);
     EXPECT_EQ(input["sha256"], sha256(file_text(folder_.path() / names.back()))) << names.back();
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"p.yaml", kRobotFolder + "kuka_kr5_arc.urdf",
-                                             kRobotFolder + "joint_limits.yaml", "wedge.obj",
+  EXPECT_EQ(names, (std::vector<std::string>{"p.yaml", test::kKr5Folder + "kuka_kr5_arc.urdf",
+                                             test::kKr5Folder + "joint_limits.yaml", "wedge.obj",
                                              "seam.csv"}));
 }
 
@@ -105,8 +98,8 @@ TEST_F(CommandReport, CompareAndSmoothWriteOneToo) {
   expect_exit(0, {"smooth", "p.yaml", "--joints", "both/graph-only/trajectory.csv", "--out", "s"});
   EXPECT_EQ(data("s")["motions"][0]["name"], "smoothed");
   EXPECT_EQ(data("s")["inputs"].back()["name"], "both/graph-only/trajectory.csv");
-  expect_exit(0, {"smooth", "--urdf", kRobotFolder + "kuka_kr5_arc.urdf", "--tip", "tool0",
-                  "--limits", kRobotFolder + "joint_limits.yaml", "--keep", "0.5mm,0.5deg",
+  expect_exit(0, {"smooth", "--urdf", test::kKr5Folder + "kuka_kr5_arc.urdf", "--tip", "tool0",
+                  "--limits", test::kKr5Folder + "joint_limits.yaml", "--keep", "0.5mm,0.5deg",
                   "--joints", "both/graph-only/trajectory.csv", "--out", "k"});
   EXPECT_EQ(data("k")["inputs"].size(), 3U);
 }

@@ -35,8 +35,7 @@ void append_trajectory(int indent, const PlanResult& result, const Problem& prob
   const bool curve = !result.trajectory.empty();
   const JointPath path = curve ? result.trajectory.waypoints() : result.path;
   validate(path, problem.robot->joint_count(), "export");
-  std::vector<std::string> names;
-  for (const Joint& joint : problem.robot->joints()) names.push_back(joint.name);
+  const std::vector<std::string> names = problem.robot->joint_names();
 
   append_header(indent, problem.robot->base_link(), yaml);
   yaml.words(indent, "joint_names", names);

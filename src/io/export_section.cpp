@@ -31,8 +31,7 @@ ControllerAxis read_axis(const ConfigReader& reader, Quantity quantity) {
 }
 
 std::vector<ControllerAxis> read_axes(const ConfigReader& reader, const Robot& robot) {
-  std::vector<std::string> names;
-  for (const Joint& joint : robot.joints()) names.push_back(joint.name);
+  const std::vector<std::string> names = robot.joint_names();
   reader.expect_keys(names);
   std::vector<ControllerAxis> axes;
   for (std::size_t j = 0; j < names.size(); ++j) {

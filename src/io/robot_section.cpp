@@ -64,8 +64,7 @@ namespace {
 
 /// The free parameters of the solver: {joint: step}.
 IkFastInverseKinematics::FreeSteps read_free_steps(const ConfigReader& reader, const Robot& robot) {
-  std::vector<std::string> names;
-  for (const Joint& joint : robot.joints()) names.push_back(joint.name);
+  const std::vector<std::string> names = robot.joint_names();
   reader.expect_keys(names);
   IkFastInverseKinematics::FreeSteps steps;
   for (std::size_t j = 0; j < names.size(); ++j) {

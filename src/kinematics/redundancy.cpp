@@ -18,8 +18,7 @@ constexpr int kMostSampled = 3;  // joints
 using Joints = std::vector<int>;  // by index, increasing
 
 Joints named_joints(const Robot& robot, const JointSteps& steps) {
-  std::vector<std::string> names;
-  for (const Joint& joint : robot.joints()) names.push_back(joint.name);
+  const std::vector<std::string> names = robot.joint_names();
   Joints joints;
   for (const auto& [name, step] : steps) {
     const auto found = std::find(names.begin(), names.end(), name);

@@ -31,8 +31,7 @@ class CornerProblem : public testing::Test {
   /// Through the files, as a user checks it.
   Verification check_written(const Problem& problem, const PlanResult& result) {
     write_result(folder_.path(), result, problem);
-    std::vector<std::string> joints;
-    for (const Joint& joint : problem.robot->joints()) joints.push_back(joint.name);
+    const std::vector<std::string> joints = problem.robot->joint_names();
     return check(problem, read_trajectory(folder_.path() / "trajectory.csv", joints));
   }
 

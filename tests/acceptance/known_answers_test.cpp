@@ -12,8 +12,7 @@ namespace {
 const std::string kSource = WRISTWISE_SOURCE_DIR;
 
 std::vector<std::string> joint_names(const Robot& robot) {
-  std::vector<std::string> names;
-  for (const Joint& joint : robot.joints()) names.push_back(joint.name);
+  const std::vector<std::string> names = robot.joint_names();
   return names;
 }
 

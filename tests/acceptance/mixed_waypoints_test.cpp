@@ -217,8 +217,7 @@ TEST_P(MixedWaypoints, TwoStage) {
 /// The file that is written passes the check that reads it, and the ranges count there.
 TEST_P(MixedWaypoints, AFileOfTheResultIsChecked) {
   const PlanResult result = plan_graph_only(problem_);
-  std::vector<std::string> names;
-  for (const Joint& joint : problem_.robot->joints()) names.push_back(joint.name);
+  const std::vector<std::string> names = problem_.robot->joint_names();
   const auto checked = [&](const JointPath& path) {
     const auto file = folder_.path() / "path.csv";
     write_path(file, names, path);

@@ -27,8 +27,7 @@ class RandomSeams : public testing::TestWithParam<int> {
 
   /// What a reader of trajectory.csv has.
   Trajectory written_and_read(const Problem& problem, const Trajectory& trajectory) const {
-    std::vector<std::string> names;
-    for (const Joint& joint : problem.robot->joints()) names.push_back(joint.name);
+    const std::vector<std::string> names = problem.robot->joint_names();
     const auto file = folder_.path() / "trajectory.csv";
     write_trajectory(file, names, trajectory);
     return read_trajectory(file, names).trajectory.value();

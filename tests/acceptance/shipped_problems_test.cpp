@@ -34,8 +34,7 @@ class ShippedProblem : public testing::TestWithParam<std::string> {
     ASSERT_EQ(result.status, Status::solved)
         << (result.diagnosis.empty() ? "" : result.diagnosis.front().detail);
     EXPECT_GE(result.path.size(), problem_.task.waypoints.size());
-    std::vector<std::string> joints;
-    for (const Joint& joint : problem_.robot->joints()) joints.push_back(joint.name);
+    const std::vector<std::string> joints = problem_.robot->joint_names();
     write_result(folder_.path(), result, problem_);
     PlanOptions dense;
     dense.verification.samples_per_interval = 50;

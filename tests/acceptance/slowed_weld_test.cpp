@@ -60,8 +60,7 @@ void expect_slowed_and_sound(const Problem& problem, const PlanResult& result,
     EXPECT_LE(ratio(3, problem.robot->jerk_limits()), 1);
     EXPECT_LE(result.seam_time.evaluate(t, 1)[0], 1 + 1e-6);
   }
-  std::vector<std::string> names;
-  for (const Joint& joint : problem.robot->joints()) names.push_back(joint.name);
+  const std::vector<std::string> names = problem.robot->joint_names();
   write_trajectory(folder.path() / "trajectory.csv", names, motion,
                    SeamColumns(problem.task.retimed(result.seam_time)));
   PlanOptions dense;

@@ -148,8 +148,7 @@ TEST(WeldSpeed, IsSlowedBesideACornerThatStops) {
   const double at_corner = own.pieces().front().end_time;
   EXPECT_NEAR(slowed.speed_ratio(slowed.real_time(at_corner)), 0, 1e-3);
 
-  std::vector<std::string> names;
-  for (const Joint& joint : problem.robot->joints()) names.push_back(joint.name);
+  const std::vector<std::string> names = problem.robot->joint_names();
   write_trajectory(folder.path() / "trajectory.csv", names, result.trajectory,
                    SeamColumns(problem.task.retimed(result.seam_time)));
   EXPECT_TRUE(check(problem, read_trajectory(folder.path() / "trajectory.csv", names)).passed);

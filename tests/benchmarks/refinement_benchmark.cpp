@@ -116,8 +116,7 @@ PlanResult run_stage_2(benchmark::State& state, const Problem& problem, const Jo
 }
 
 JointPath known_seed(const Problem& problem, int waypoints) {
-  std::vector<std::string> names;
-  for (const Joint& joint : problem.robot->joints()) names.push_back(joint.name);
+  const std::vector<std::string> names = problem.robot->joint_names();
   return read_trajectory(std::string(WRISTWISE_SOURCE_DIR) +
                              "/tests/acceptance/wrist_singularity/seed_" +
                              std::to_string(waypoints) + ".csv",

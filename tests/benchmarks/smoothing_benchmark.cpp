@@ -25,8 +25,7 @@ std::shared_ptr<const Robot> torch_robot() {
 }
 
 std::vector<std::string> joint_names(const Robot& robot) {
-  std::vector<std::string> names;
-  for (const Joint& joint : robot.joints()) names.push_back(joint.name);
+  const std::vector<std::string> names = robot.joint_names();
   return names;
 }
 
