@@ -17,7 +17,7 @@ enum class LogLevel {
 /// How the caller watches and stops a run. Every member may be left empty. The callbacks are called
 /// from the calling thread only.
 struct Monitor {
-  /// "sampling", "search", "refine" (or "refine seed 2 of 3"), "verify"; done of that stage, 0 to 1.
+  /// "sampling", "search", "refine" (or "refine seed 2 of 3"), "verify"; done of that, 0 to 1.
   std::function<void(const std::string& stage, double fraction)> progress;
   std::function<void(LogLevel level, const std::string& line)> log;  ///< one line, without its end
   const std::atomic<bool>* cancel = nullptr;  ///< set it to stop at the next chance

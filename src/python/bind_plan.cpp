@@ -15,7 +15,8 @@ void bind_monitor(py::module_& module) {
                                "stops the run and comes out of the call.",
                                Access::writable)
       .field("progress", &PythonMonitor::progress,
-             "f(stage, fraction): \"sampling\", \"search\", \"refine\" or \"verify\", and the "
+             "f(stage, fraction): \"sampling\", \"search\", \"refine\" (of several seeds "
+             "\"refine seed 2 of 3\") or \"verify\", and the "
              "share of it that is done; called from the thread that called plan()")
       .field("log", &PythonMonitor::log,
              "f(level, line), called from the thread that called plan()")
