@@ -25,10 +25,11 @@ package() { find "$folder" -maxdepth 1 -name "$1_*.deb"; }
 field() { dpkg-deb -f "$(package "$1")" "$2"; }
 
 names() {
-  local name
+  local name description
   for name in wristwise "$(library)" libwristwise-dev; do
     [ "$(field "$name" Package) $(field "$name" Version)" = "$name $(version)" ]
-    field "$name" Description | head -1 | grep '^planner for arc-welding robots'
+    description=$(field "$name" Description)
+    grep '^planner for arc-welding robots' <<<"${description%%$'\n'*}"
   done
   [ "$(find "$folder" -maxdepth 1 -name '*.deb' | wc -l)" = 3 ]
 }
