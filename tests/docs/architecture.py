@@ -76,8 +76,6 @@ class Architecture:
 
 def patterns(cell: str) -> list[str]:
     """File names in backticks as patterns; one without a folder is in that of the one before."""
-    if cell.startswith("`.cpp` files"):
-        return ["*.cpp"]
     found, folder = [], ""
     for name in re.findall(r"`([^`]+)`", cell):
         path = name if "/" in name else f"{folder}/{name}"
